@@ -1,0 +1,59 @@
+// Surfaces on disk, chunk by chunk.
+//
+// Guarantees: nothing stands under the final name until finish() returned; a writer destroyed
+// before that removes what it wrote. The bytes written are a function of the chunks alone.
+// Memory: one encoded chunk. Thread rule: one writer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "spatial/point.h"
+
+namespace stream_recon {
+
+/// Why a triangle is there: the values of cell data `Source`.
+enum class TriangleSource : std::uint8_t { kGamma = 0, kAlpha = 1 };
+
+/// A part of the surface. Arrays of points have one length, arrays of triangles another.
+struct SurfaceChunk {
+  std::vector<Point3> points;                          ///< bit-equal to the input
+  std::vector<std::uint64_t> global_ids;               ///< input index of each point
+  /// Position of each point in the vertex list of the whole surface, counted in the order of first
+  /// appearance (chunk by chunk, then by position in the chunk): a point is new in this chunk iff
+  /// its number is not below the count of vertices of all chunks before.
+  std::vector<std::uint64_t> vertex_numbers;
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< positions in `points`
+  std::vector<float> delta;                            ///< angle of the facet's balls, degrees
+  std::vector<TriangleSource> source;
+};
+
+enum class Scalar { kFloat32, kFloat64 };
+
+struct SurfaceWriterOptions {
+  /// Ends in .pvtp, .ply or .vtk, or is "-" (binary PLY on standard output).
+  std::string path;
+  /// kFloat32 only where every input coordinate is a float32: output stays bit-equal.
+  Scalar coordinates = Scalar::kFloat64;
+  /// Where single-file formats keep their parts until the counts are known.
+  std::string scratch_directory;
+};
+
+class SurfaceWriter {
+ public:
+  virtual ~SurfaceWriter() = default;
+  /// \throw IoError
+  virtual void write(const SurfaceChunk& chunk) = 0;
+  /// Completes the output and puts it under its final name, the index last.
+  /// \throw IoError
+  virtual void finish() = 0;
+  virtual std::uint64_t bytes_written() const = 0;
+};
+
+/// \throw IoError cannot create; std::invalid_argument unknown ending
+std::unique_ptr<SurfaceWriter> make_surface_writer(const SurfaceWriterOptions& options);
+
+}  // namespace stream_recon
