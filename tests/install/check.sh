@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Installs the build into an empty prefix, builds the outside program against it, runs it, and
+# makes sure that no GPL code is in what is installed.
+#   check.sh BUILD_DIR WORK_DIR
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+build=$1
+work=$2
+rm -rf "$work"
+mkdir -p "$work"
+prefix=$work/prefix
+
+cmake --install "$build" --prefix "$prefix" >"$work/install.log"
+for wanted in bin/stream-recon share/doc/stream_recon/LICENSE share/doc/stream_recon/NOTICE; do
+  [ -e "$prefix/$wanted" ] || { echo "not installed: $wanted" >&2; exit 1; }
+done
+
+if grep -rlE 'N4CGAL|CGAL/|tetgen' "$prefix/bin" "$prefix/lib" "$prefix/include"; then
+  echo "the files above contain GPL code" >&2
+  exit 1
+fi
+for program in "$prefix"/bin/*; do
+  if readelf -d "$program" | grep -E 'NEEDED.*(CGAL|gmp|mpfr)'; then
+    echo "$program links a library that only tests may use" >&2
+    exit 1
+  fi
+done
+
+cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_PREFIX_PATH="$prefix" >"$work/configure.log"
+cmake --build "$work/build"
+"$work/build/outside"
+"$prefix/bin/stream-recon" --version
