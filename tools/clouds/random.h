@@ -4,9 +4,11 @@
 // Thread rule: one user. Source: SplitMix64, Steele, Lea, Flood, OOPSLA 2014.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "spatial/point.h"
+#include "spatial/simplex_digest.h"
 
 namespace stream_recon {
 
@@ -15,11 +17,9 @@ class Random {
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t bits() {
+    const std::uint64_t value = SimplexDigest::splitmix64(state_);
     state_ += 0x9e3779b97f4a7c15U;
-    std::uint64_t x = state_;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
+    return value;
   }
 
   /// Uniform in [0, 1), a multiple of 2^-53.
