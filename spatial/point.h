@@ -21,6 +21,12 @@ struct Point3 {
   }
 };
 
+/// A ball with squared radius `weight` (any sign), or a site of the power diagram.
+struct WeightedPoint3 {
+  Point3 point;
+  double weight = 0;
+};
+
 inline bool is_finite(const Point3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
