@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace stream_recon {
 
@@ -18,5 +19,11 @@ class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Says that `what` (for example "create", "write 4096 bytes at byte 0 of") could not be done to
+/// `path`, why (the text of `error_number`), and what to do about it.
+/// \throw IoError always
+[[noreturn]] void throw_system_error(std::string_view what, std::string_view path,
+                                     int error_number);
 
 }  // namespace stream_recon

@@ -15,19 +15,22 @@
 
 namespace stream_recon {
 
+class ScratchDirectory;
+
 /// Why a triangle is there: the values of cell data `Source`.
 enum class TriangleSource : std::uint8_t { kGamma = 0, kAlpha = 1 };
 
-/// A part of the surface. Arrays of points have one length, arrays of triangles another.
+/// A part of the surface. Arrays of points have one length, arrays of triangles another; every
+/// point is a corner of a triangle of the chunk.
 struct SurfaceChunk {
-  std::vector<Point3> points;                          ///< bit-equal to the input
-  std::vector<std::uint64_t> global_ids;               ///< input index of each point
+  std::vector<Point3> points;             ///< bit-equal to the input
+  std::vector<std::uint64_t> global_ids;  ///< input index of each point
   /// Position of each point in the vertex list of the whole surface, counted in the order of first
   /// appearance (chunk by chunk, then by position in the chunk): a point is new in this chunk iff
   /// its number is not below the count of vertices of all chunks before.
   std::vector<std::uint64_t> vertex_numbers;
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< positions in `points`
-  std::vector<float> delta;                            ///< angle of the facet's balls, degrees
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< positions in `points`
+  std::vector<float> delta;                             ///< angle of the facet's balls, degrees
   std::vector<TriangleSource> source;
 };
 
@@ -38,8 +41,9 @@ struct SurfaceWriterOptions {
   std::string path;
   /// kFloat32 only where every input coordinate is a float32: output stays bit-equal.
   Scalar coordinates = Scalar::kFloat64;
-  /// Where single-file formats keep their parts until the counts are known.
-  std::string scratch_directory;
+  /// Where single-file formats keep their parts until the counts are known; must outlive the
+  /// writer. Not needed for .pvtp.
+  ScratchDirectory* scratch = nullptr;
 };
 
 class SurfaceWriter {
@@ -53,7 +57,7 @@ class SurfaceWriter {
   virtual std::uint64_t bytes_written() const = 0;
 };
 
-/// \throw IoError cannot create; std::invalid_argument unknown ending
+/// \throw IoError cannot create; std::invalid_argument unknown ending, no scratch
 std::unique_ptr<SurfaceWriter> make_surface_writer(const SurfaceWriterOptions& options);
 
 }  // namespace stream_recon

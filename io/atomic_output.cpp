@@ -1,0 +1,39 @@
+#include "io/atomic_output.h"
+
+#include <cerrno>
+#include <utility>
+
+#include "io/error.h"
+#include "io/folder.h"
+
+namespace stream_recon {
+
+namespace {
+
+File create_beside(const std::string& path) {
+  // A rename onto a folder fails only at the end of the run: say so at its start.
+  if (is_folder(path)) throw_system_error("write", path, EISDIR);
+  return File::create(temporary_name_beside(path));
+}
+
+}  // namespace
+
+AtomicOutput::AtomicOutput(std::string path)
+    : path_(std::move(path)),
+      file_(create_beside(path_)),
+      temporary_(file_.path(), TemporaryPath::Kind::kFile) {}
+
+void AtomicOutput::commit() {
+  file_.sync();
+  file_.close();
+  rename_path(temporary_.path(), path_);
+  temporary_.keep();
+  try {
+    sync_parent_folder(path_);
+  } catch (...) {
+    remove_file(path_.c_str());  // the caller is told there is no result, so let there be none
+    throw;
+  }
+}
+
+}  // namespace stream_recon

@@ -1,0 +1,32 @@
+// One file that appears under its name complete or not at all.
+//
+// Guarantees: until commit() returned, what stood under the name stays as it was; after it, the new
+// bytes stand there and on the device. An object destroyed before that removes what it wrote, and
+// remove_temporary_paths() does so on SIGINT.
+// Thread rule: one thread. Cost: the new file lies beside the old one until commit().
+#pragma once
+
+#include <string>
+
+#include "io/file.h"
+#include "io/temporary_path.h"
+
+namespace stream_recon {
+
+class AtomicOutput {
+ public:
+  /// \throw IoError cannot create beside `path`, or `path` is a folder
+  explicit AtomicOutput(std::string path);
+
+  File& file() { return file_; }
+
+  /// Forces the bytes to the device and puts them under the name. \throw IoError
+  void commit();
+
+ private:
+  std::string path_;
+  File file_;
+  TemporaryPath temporary_;
+};
+
+}  // namespace stream_recon

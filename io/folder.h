@@ -1,0 +1,38 @@
+// Names on disk: folders, renames, removals.
+//
+// Guarantees: a call does its work or throws an IoError that names path and reason; a rename is
+// atomic. The remove functions never throw, because they run while errors unwind.
+// Thread rule: thread-safe where the file system is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stream_recon {
+
+/// \throw IoError cannot create, or something of that name exists
+void make_folder(const std::string& path);
+
+/// Puts `from` under the name `to`, replacing a file of that name in one step. \throw IoError
+void rename_path(const std::string& from, const std::string& to);
+
+/// Forces the names in the folder that holds `path` to the device. \throw IoError
+void sync_parent_folder(const std::string& path);
+
+/// The folder that holds `path`, "." for a bare name.
+std::string parent_folder(const std::string& path);
+
+/// Names in a folder, sorted. \throw IoError
+std::vector<std::string> list_folder(const std::string& path);
+
+bool path_exists(const std::string& path);
+bool is_folder(const std::string& path);
+
+/// Removes a file, if it is there. Safe in a signal handler.
+void remove_file(const char* path) noexcept;
+
+/// Removes a folder and the files in it; folders in it stay, and so does it then. Safe in a signal
+/// handler.
+void remove_folder(const char* path) noexcept;
+
+}  // namespace stream_recon
