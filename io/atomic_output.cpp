@@ -1,6 +1,7 @@
 #include "io/atomic_output.h"
 
 #include <cerrno>
+#include <filesystem>
 #include <utility>
 
 #include "io/error.h"
@@ -13,6 +14,11 @@ namespace {
 File create_beside(const std::string& path) {
   // A rename onto a folder fails only at the end of the run: say so at its start.
   if (is_folder(path)) throw_system_error("write", path, EISDIR);
+  // A device or a pipe would be replaced by a file.
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+    throw IoError("cannot write " + path +
+                  ": not a regular file; take a file's name, or - and a pipe");
+  }
   return File::create(temporary_name_beside(path));
 }
 

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 
-#include "io/error.h"
+#include "io/atomic_output.h"
 
 namespace stream_recon {
 namespace {
@@ -27,36 +25,26 @@ std::string ply_header(const PointSinkOptions& options) {
 
 }  // namespace
 
+/// A file that is complete or not there, or standard output.
 class PointSink::Output {
  public:
-  explicit Output(const std::string& path) : path_(path) {
-    file_ = path == "-" ? stdout : std::fopen(part().c_str(), "wb");
-    if (file_ == nullptr) fail("cannot create");
-  }
-  ~Output() {
-    if (file_ == nullptr || file_ == stdout) return;
-    std::fclose(file_);
-    std::remove(part().c_str());
+  explicit Output(const std::string& path) {
+    if (path == "-") {
+      stream_ = File::standard_output();
+    } else {
+      file_.emplace(path);
+    }
   }
   void write(const std::string& bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot write");
+    (file_ ? file_->file() : stream_).write(std::as_bytes(std::span(bytes)));
   }
   void commit() {
-    if (std::fflush(file_) != 0) fail("cannot write");
-    if (file_ == stdout) return;
-    const int closed = std::fclose(file_);
-    file_ = nullptr;
-    if (closed != 0 || std::rename(part().c_str(), path_.c_str()) != 0) fail("cannot complete");
+    if (file_) file_->commit();
   }
 
  private:
-  std::string part() const { return path_ + ".part"; }
-  [[noreturn]] void fail(const char* what) const {
-    throw IoError(fmt::format("{} {}: {}; check the folder and the free space", what, path_,
-                              std::strerror(errno)));
-  }
-  std::string path_;
-  std::FILE* file_ = nullptr;
+  std::optional<AtomicOutput> file_;
+  File stream_;
 };
 
 PointFormat point_format_of(const std::string& path) {
