@@ -1,0 +1,42 @@
+// Times the in-core Delaunay tetrahedralization of a cloud.
+//
+// Guarantees: what is timed is Hilbert keys, sort and insertion, in this thread; reading, removal
+// of duplicates and the digest are not. Memory: the cloud twice, its keys and the kernel.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/point_source.h"
+#include "spatial/point.h"
+
+namespace stream_recon {
+
+/// A cloud without duplicates; each point is named by the lowest index it has in the input.
+struct DistinctPoints {
+  std::vector<Point3> points;          ///< in input order
+  std::vector<std::uint64_t> indices;  ///< input index of each
+  std::uint64_t duplicates = 0;
+};
+
+/// Reads a source to its end.
+/// \throw InputError non-finite point; what the source throws
+DistinctPoints read_distinct_points(PointSource& source);
+
+struct KernelTimes {
+  double sort_seconds = 0;    ///< keys and sort
+  double insert_seconds = 0;  ///< copy in order and insertion
+  std::uint64_t points = 0;
+  std::uint64_t tetrahedra = 0;  ///< finite
+  std::uint64_t kernel_bytes = 0;
+  int dimension = -1;  ///< below 3 there are no tetrahedra
+  std::string digest;  ///< of the tetrahedra's input indices (spatial/simplex_digest.h)
+
+  double seconds() const { return sort_seconds + insert_seconds; }
+};
+
+/// \throw InputError coordinates too far apart in magnitude
+KernelTimes time_kernel(const DistinctPoints& cloud);
+
+}  // namespace stream_recon
