@@ -13,7 +13,8 @@ struct Point3 {
   friend constexpr bool operator==(const Point3& a, const Point3& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
   }
-  /// Lexicographic order (x, y, z): the order of the symbolic perturbation (docs/algorithms.md).
+  /// Lexicographic order (x, y, z): the order of the symbolic perturbation
+  /// (docs/algorithms/perturbation.md).
   friend constexpr bool operator<(const Point3& a, const Point3& b) {
     if (a.x != b.x) return a.x < b.x;
     if (a.y != b.y) return a.y < b.y;

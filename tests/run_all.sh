@@ -34,7 +34,9 @@ unit_tests() { build "$1" all && ctest --preset "$1" -j "$jobs"; }
 
 parallel_tests() { build tsan parallel_tests && ctest --preset tsan -j "$jobs" -L parallel; }
 
-format() { git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror; }
+format() {
+  find spatial io engine tools tests -name '*.h' -o -name '*.cpp' | xargs clang-format --dry-run -Werror
+}
 
 lint() { run-clang-tidy -quiet -j "$jobs" -p build/release '^(?!.*/tests/).*\.cpp$'; }
 
