@@ -1,8 +1,9 @@
 #include "io/scratch_directory.h"
 
-#include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 #include "io/error.h"
 #include "io/folder.h"
@@ -39,7 +40,9 @@ File ScratchDirectory::open(const std::string& name) const {
 
 void ScratchDirectory::remove(const std::string& name) {
   const std::string path = path_of(name);
-  const std::uint64_t bytes = File::open(path).size();
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (error) return;
   remove_file(path.c_str());
   meter_->release(bytes);
 }

@@ -33,7 +33,7 @@ class ScratchDirectory {
   File create(const std::string& name);
   /// An existing file for reading. \throw IoError
   File open(const std::string& name) const;
-  /// Removes a file and gives back its bytes. \throw IoError
+  /// Removes a file, if it is there, and gives back its bytes.
   void remove(const std::string& name);
 
   const std::string& path() const { return folder_.path(); }
