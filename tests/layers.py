@@ -16,12 +16,17 @@ SOURCES = {".h", ".cpp"}
 # The files that may include a package's headers; a folder name opens it for the whole folder.
 DOORS = {
     r"CLI/": ["tools"],
-    r"(boost/interprocess/)": ["io/mapped_file.cpp"],
-    r"expat\.h": ["io/xml_scanner.cpp"],
+    r"boost/interprocess/": ["io/mapped_file.cpp"],
+    r"expat\.h": ["io/xml_reader.cpp"],
     r"flann/": ["spatial/neighbors.cpp"],
-    r"itk": ["tools"],
+    r"itk": ["tools/slices"],
+    r"libdeflate\.h": ["io/vtp_codec.cpp"],
+    r"lz4": ["io/vtp_codec.cpp"],
+    r"nlohmann/": ["engine"],
     r"png\.h": ["tools"],
+    r"spdlog/": ["tools"],
     r"(tbb|oneapi)/": ["engine/parallel.h"],
+    r"zlib\.h": ["tools/slices"],
     r"zstd\.h": ["io/block_codec.cpp"],
     r"(CGAL|gmpxx?\.h|mpfr\.h|tetgen)": [],  # GPL, tests only
 }
