@@ -11,7 +11,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
+#include "spatial/determinants.h"
 #include "spatial/point.h"
 
 namespace stream_recon {
@@ -39,6 +41,26 @@ int decide_tie(const std::array<const Point3*, kCorners>& corners, const Point3&
     if (const int sign = orientation(replaced); sign != 0) return sign;
     passed[top_corner] = true;
   }
+}
+
+/// The same for four corners as differences to the query, where all differences are multiples of
+/// some unit and smaller than 1024 units, so that the determinants of doubles are exact. Then the
+/// lexicographic order is that of a single number, and every coefficient is at hand: no branches.
+inline int decide_lattice_tie(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  // The query's own: position 0, coefficient -1.
+  double largest_position = 0;
+  double coefficient = -1;
+  const auto consider = [&](const Point3& corner, double orientation) {
+    const double position = (corner.x * 2048 + corner.y) * 2048 + corner.z;
+    const bool decides = (position > largest_position) & (orientation != 0);
+    largest_position = decides ? position : largest_position;
+    coefficient = decides ? orientation : coefficient;
+  };
+  consider(a, detail::determinant3<double>(b, c, d));
+  consider(b, -detail::determinant3<double>(a, c, d));
+  consider(c, detail::determinant3<double>(a, b, d));
+  consider(d, -detail::determinant3<double>(a, b, c));
+  return coefficient > 0 ? 1 : -1;
 }
 
 }  // namespace stream_recon

@@ -93,6 +93,12 @@ int Predicates::in_sphere_exact(const Point3& a, const Point3& b, const Point3& 
   return detail::exact_power_test({{{a, 0}, {b, 0}, {c, 0}, {d, 0}, {e, 0}}});
 }
 
+int Predicates::in_sphere_perturbed_exact(const Point3& a, const Point3& b, const Point3& c,
+                                          const Point3& d, const Point3& e) const {
+  const int sign = in_sphere_exact(a, b, c, d, e);
+  return sign != 0 ? sign : decide_sphere_tie(a, b, c, d, e);
+}
+
 int Predicates::orient_xy(const Point3& a, const Point3& b, const Point3& c) const {
   const Estimate estimate = estimate_determinant_xy(difference(b, a), difference(c, a));
   if (estimate.is_certain() || estimate.reach <= orient_xy_reach_) return estimate.sign();
@@ -134,7 +140,7 @@ int Predicates::in_circle(const Point3& a, const Point3& b, const Point3& c,
 int Predicates::in_circle_perturbed(const Point3& a, const Point3& b, const Point3& c,
                                     const Point3& d) const {
   const int sign = in_circle(a, b, c, d);
-  return sign != 0 ? sign : decide_circle_tie({&a, &b, &c}, d);
+  return sign != 0 ? sign : decide_circle_tie(a, b, c, d);
 }
 
 int Predicates::power_test(const WeightedPoint3& a, const WeightedPoint3& b,
@@ -150,7 +156,7 @@ int Predicates::power_test_perturbed(const WeightedPoint3& a, const WeightedPoin
                                      const WeightedPoint3& e) const {
   const int sign = power_test(a, b, c, d, e);
   if (sign != 0) return sign;
-  return decide_sphere_tie({&a.point, &b.point, &c.point, &d.point}, e.point);
+  return decide_sphere_tie(a.point, b.point, c.point, d.point, e.point);
 }
 
 int Predicates::power_circle(const WeightedPoint3& a, const WeightedPoint3& b,
@@ -171,20 +177,20 @@ int Predicates::power_circle(const WeightedPoint3& a, const WeightedPoint3& b,
 int Predicates::power_circle_perturbed(const WeightedPoint3& a, const WeightedPoint3& b,
                                        const WeightedPoint3& c, const WeightedPoint3& d) const {
   const int sign = power_circle(a, b, c, d);
-  return sign != 0 ? sign : decide_circle_tie({&a.point, &b.point, &c.point}, d.point);
+  return sign != 0 ? sign : decide_circle_tie(a.point, b.point, c.point, d.point);
 }
 
-int Predicates::decide_sphere_tie(const std::array<const Point3*, 4>& corners,
-                                  const Point3& query) const {
-  return decide_tie(corners, query, [this](const std::array<const Point3*, 4>& p) {
+int Predicates::decide_sphere_tie(const Point3& a, const Point3& b, const Point3& c,
+                                  const Point3& d, const Point3& query) const {
+  return decide_tie<4>({&a, &b, &c, &d}, query, [this](const std::array<const Point3*, 4>& p) {
     return orient3d(*p[0], *p[1], *p[2], *p[3]);
   });
 }
 
-int Predicates::decide_circle_tie(const std::array<const Point3*, 3>& corners,
+int Predicates::decide_circle_tie(const Point3& a, const Point3& b, const Point3& c,
                                   const Point3& query) const {
-  const int orientation = coplanar_orientation(*corners[0], *corners[1], *corners[2]);
-  return decide_tie(corners, query, [&](const std::array<const Point3*, 3>& p) {
+  const int orientation = coplanar_orientation(a, b, c);
+  return decide_tie<3>({&a, &b, &c}, query, [&](const std::array<const Point3*, 3>& p) {
     return orientation * coplanar_orientation(*p[0], *p[1], *p[2]);
   });
 }

@@ -43,8 +43,14 @@ class Predicates {
   /// The same with ties decided (perturbation.h): never 0.
   int in_sphere_perturbed(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                           const Point3& e) const {
-    const int sign = in_sphere(a, b, c, d, e);
-    return sign != 0 ? sign : decide_sphere_tie({&a, &b, &c, &d}, e);
+    const Point3 ae = difference(a, e);
+    const Point3 be = difference(b, e);
+    const Point3 ce = difference(c, e);
+    const Point3 de = difference(d, e);
+    const Estimate estimate = estimate_in_sphere(ae, be, ce, de);
+    if (estimate.is_certain()) return estimate.sign();
+    if (estimate.reach > in_sphere_reach_) return in_sphere_perturbed_exact(a, b, c, d, e);
+    return estimate.value != 0 ? estimate.sign() : decide_lattice_tie(ae, be, ce, de);
   }
 
   /// Orientation of three points in space as seen along the first of the axes z, y, x along which
@@ -74,10 +80,14 @@ class Predicates {
   int orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d) const;
   int in_sphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                       const Point3& e) const;
+  int in_sphere_perturbed_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                                const Point3& e) const;
   int orient_xy(const Point3& a, const Point3& b, const Point3& c) const;
   int in_circle_xy(const Point3& a, const Point3& b, const Point3& c, const Point3& d) const;
-  int decide_sphere_tie(const std::array<const Point3*, 4>& corners, const Point3& query) const;
-  int decide_circle_tie(const std::array<const Point3*, 3>& corners, const Point3& query) const;
+  int decide_sphere_tie(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                        const Point3& query) const;
+  int decide_circle_tie(const Point3& a, const Point3& b, const Point3& c,
+                        const Point3& query) const;
 
   double inverse_unit_;
   // Differences up to these make the determinants of doubles exact; 0 without a lattice.

@@ -31,7 +31,7 @@ struct Estimate {
   /// The largest difference among the rows: decides whether the next rung applies.
   double reach;
 
-  bool is_certain() const { return value > error || value < -error; }
+  bool is_certain() const { return std::fabs(value) > error; }
   int sign() const { return (value > 0) - (value < 0); }
 };
 

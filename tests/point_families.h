@@ -89,7 +89,7 @@ inline const std::vector<Family>& all() {
          const auto scaled = [&r](double v) { return std::ldexp(v, static_cast<int>(r() % 80)); };
          return Point3{scaled(p.x), scaled(p.y), scaled(p.z)};
        }},
-      {"tiny", [](std::mt19937_64& r) { return lattice_point(r, 3, 0x1p-200); }},
+      {"tiny", [](std::mt19937_64& r) { return lattice_point(r, 3, 0x1p-190); }},
   };
   return kFamilies;
 }

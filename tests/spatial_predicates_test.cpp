@@ -169,6 +169,26 @@ TEST(Predicates, perturbed_in_sphere_is_never_zero_and_the_same_for_even_permuta
   });
 }
 
+TEST(Predicates, lattice_ties_are_decided_like_all_others) {
+  const std::uint64_t seed = 5;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  int ties = 0;
+  for (int round = 0; round < 100 * kRounds; ++round) {
+    Points5 p;
+    for (Point3& q : p) q = families::lattice_point(random, 1 + round % 2, 0.5);
+    const Predicates predicates = predicates_of(p);
+    if (!all_distinct(p) || predicates.orient3d(p[0], p[1], p[2], p[3]) <= 0) continue;
+    if (predicates.in_sphere(p[0], p[1], p[2], p[3], p[4]) != 0) continue;
+    ++ties;
+    const int tie = decide_tie<4>({&p[0], &p[1], &p[2], &p[3]}, p[4], [&](const auto& q) {
+      return reference::orient3d(*q[0], *q[1], *q[2], *q[3]);
+    });
+    ASSERT_EQ(predicates.in_sphere_perturbed(p[0], p[1], p[2], p[3], p[4]), tie);
+  }
+  EXPECT_GT(ties, kRounds);
+}
+
 // Of two tetrahedra on a common facet each says of the other's apex the same: both locally
 // Delaunay or both not.
 TEST(Predicates, perturbed_in_sphere_is_symmetric_across_a_facet) {
