@@ -31,9 +31,10 @@ class Delaunay {
 
   enum class Outcome {
     kDone,
-    kFlat,       ///< fewer than four affinely independent points so far: no cells yet
-    kOutgrown,   ///< max_bytes reached: the structure is unusable, split the work
-    kBadRange,   ///< coordinates too far apart in magnitude for exact arithmetic (docs/algorithms.md)
+    kFlat,      ///< fewer than four affinely independent points so far: no cells yet
+    kOutgrown,  ///< max_bytes reached: the structure is unusable, split the work
+    kBadRange,  ///< coordinates too far apart in magnitude for exact arithmetic
+                ///< (docs/algorithms.md)
   };
 
   struct Options {
@@ -55,7 +56,7 @@ class Delaunay {
   /// Affine dimension of the points so far, -1 for none.
   int dimension() const;
   std::size_t vertex_count() const;
-  const Point3& point(VertexId v) const;
+  Point3 point(VertexId v) const;
 
   /// Cells are numbered 0 .. cell_slots() - 1; some slots are free.
   CellId cell_slots() const;
@@ -66,6 +67,8 @@ class Delaunay {
   std::array<VertexId, 4> vertices(CellId c) const;
   /// The cell across the facet opposite vertex i.
   CellId neighbor(CellId c, int i) const;
+  /// Which facet of neighbor(c, i) that is.
+  int mirror_index(CellId c, int i) const;
 
   std::size_t finite_cell_count() const;
   /// Bytes of memory in use, the peak of this object.

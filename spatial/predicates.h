@@ -53,6 +53,17 @@ class Predicates {
     return estimate.value != 0 ? estimate.sign() : decide_lattice_tie(ae, be, ce, de);
   }
 
+  /// What in_sphere_perturbed() says where in_sphere() is known to be 0.
+  /// \pre The points differ by no more than in_sphere_reach() in any coordinate.
+  int in_sphere_tie(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                    const Point3& e) const {
+    return decide_lattice_tie(difference(a, e), difference(b, e), difference(c, e),
+                              difference(d, e));
+  }
+
+  /// Coordinate differences up to this make an in-sphere determinant of doubles exact.
+  double in_sphere_reach() const { return in_sphere_reach_; }
+
   /// Orientation of three points in space as seen along the first of the axes z, y, x along which
   /// they are not collinear; 0 if they are collinear. Comparable for points of one plane.
   int coplanar_orientation(const Point3& a, const Point3& b, const Point3& c) const;

@@ -42,6 +42,8 @@ inline Point3 difference(const Point3& a, const Point3& b) {
 namespace detail {
 
 inline constexpr double kRoundoff = 0x1p-53;
+/// Error of estimate_in_sphere() over the product of the largest differences and the largest lift.
+inline constexpr double kInSphereError = 390 * kRoundoff;
 
 inline double largest(double a, double b, double c) {
   return std::max(std::max(std::fabs(a), std::fabs(b)), std::fabs(c));
@@ -79,7 +81,7 @@ inline Estimate estimate_in_sphere(const Point3& a, const Point3& b, const Point
   const double y = detail::largest(a.y, b.y, c.y, d.y);
   const double z = detail::largest(a.z, b.z, c.z, d.z);
   const double top = std::max(std::max(lift.a, lift.b), std::max(lift.c, lift.d));
-  return {detail::lifted_determinant(a, b, c, d, lift), 390 * detail::kRoundoff * (x * y * z * top),
+  return {detail::lifted_determinant(a, b, c, d, lift), detail::kInSphereError * (x * y * z * top),
           std::max(std::max(x, y), z)};
 }
 

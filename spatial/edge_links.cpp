@@ -1,0 +1,94 @@
+#include "spatial/edge_links.h"
+
+#include <array>
+#include <bit>
+#include <cassert>
+
+namespace stream_recon::detail {
+
+void EdgeLinks::join(CellArray& cells, const std::vector<std::uint32_t>& facets) {
+  if (facets.size() <= kSmallFacets) {
+    join_few(cells, facets);
+  } else {
+    join_many(cells, facets);
+  }
+}
+
+void EdgeLinks::join_few(CellArray& cells, const std::vector<std::uint32_t>& facets) {
+  std::array<std::uint32_t, kSmall + 1> labelled;  // one more is written, then not counted
+  std::uint8_t* const labels = labels_.data();
+  std::uint32_t* const table = small_table_.data();
+  std::uint16_t* reversed = reversed_.data();
+  std::uint32_t count = 0;
+  for (const std::uint32_t facet : facets) {
+    const Cell& cell = cells[cell_of(facet)];
+    const std::uint8_t* corner = kFacet[facet_of(facet)];
+    std::uint32_t label[3];
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t vertex = cell.vertex[corner[i]];
+      // Without a branch: whether a vertex was seen before is as good as random.
+      const std::uint32_t known = labels[vertex];
+      labelled[count] = vertex;
+      count += known == 0 ? 1 : 0;
+      label[i] = known == 0 ? count : known;
+      labels[vertex] = static_cast<std::uint8_t>(label[i]);
+      --label[i];
+    }
+    // Facet corner[i] of the cell holds the inserted point and the edge from the next corner to
+    // the one after.
+    const std::uint32_t cell_bits = facet & ~std::uint32_t{3};
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t from = label[(i + 1) % 3];
+      const std::uint32_t to = label[(i + 2) % 3];
+      table[from * kSmall + to] = cell_bits | corner[i];
+      *reversed++ = static_cast<std::uint16_t>(to * kSmall + from);
+    }
+  }
+  reversed = reversed_.data();
+  for (const std::uint32_t facet : facets) {
+    Cell& cell = cells[cell_of(facet)];
+    const std::uint8_t* corner = kFacet[facet_of(facet)];
+    for (int i = 0; i < 3; ++i) cell.link[corner[i]] = table[*reversed++];
+  }
+  for (std::uint32_t i = 0; i < count; ++i) labels[labelled[i]] = 0;
+}
+
+EdgeLinks::DirectedEdge& EdgeLinks::slot(std::uint64_t ends) {
+  const std::size_t mask = large_table_.size() - 1;
+  std::size_t at = (ends * 0x9e3779b97f4a7c15u >> 20) & mask;
+  while (large_table_[at].ends != 0 && large_table_[at].ends != ends) at = (at + 1) & mask;
+  return large_table_[at];
+}
+
+void EdgeLinks::join_many(CellArray& cells, const std::vector<std::uint32_t>& facets) {
+  const auto ends = [](std::uint32_t from, std::uint32_t to) {
+    return std::uint64_t{from} << 32 | to;
+  };
+  large_table_.assign(std::bit_ceil(6 * facets.size()), {0, 0});
+  for (const std::uint32_t facet : facets) {
+    const Cell& cell = cells[cell_of(facet)];
+    const std::uint8_t* corner = kFacet[facet_of(facet)];
+    for (int i = 0; i < 3; ++i) {
+      const std::uint64_t edge =
+          ends(cell.vertex[corner[(i + 1) % 3]], cell.vertex[corner[(i + 2) % 3]]);
+      slot(edge) = {edge, (facet & ~std::uint32_t{3}) | corner[i]};
+    }
+  }
+  for (const std::uint32_t facet : facets) {
+    Cell& cell = cells[cell_of(facet)];
+    const std::uint8_t* corner = kFacet[facet_of(facet)];
+    for (int i = 0; i < 3; ++i) {
+      const DirectedEdge& twin =
+          slot(ends(cell.vertex[corner[(i + 2) % 3]], cell.vertex[corner[(i + 1) % 3]]));
+      assert(twin.ends != 0);
+      cell.link[corner[i]] = twin.facet;
+    }
+  }
+}
+
+std::size_t EdgeLinks::bytes() const {
+  return small_table_.size() * sizeof(std::uint32_t) + reversed_.size() * sizeof(std::uint16_t) +
+         large_table_.capacity() * sizeof(DirectedEdge);
+}
+
+}  // namespace stream_recon::detail
