@@ -16,8 +16,10 @@ GridBlock::GridBlock(std::uint64_t count) : side_(1) {
 }
 
 Point3 GridBlock::point(std::uint64_t index) const {
-  return {static_cast<double>(index % side_), static_cast<double>(index / side_ % side_),
-          static_cast<double>(index / side_ / side_)};
+  const std::uint64_t row = index / side_;
+  const std::uint64_t layer = row / side_;
+  return {static_cast<double>(index % side_), static_cast<double>(row % side_),
+          static_cast<double>(layer)};
 }
 
 Point3 collinear_point(Random& random) {

@@ -60,7 +60,7 @@ std::optional<Point3> try_ellipsoid_point(Random& random) {
 }
 
 std::optional<Point3> try_blob_point(Random& random) {
-  static const double kLargest = largest_blob_stretch();
+  static const double largest_stretch = largest_blob_stretch();
   const Point3 u = random.direction();
   double radius = 1;
   Point3 gradient;
@@ -74,7 +74,7 @@ std::optional<Point3> try_blob_point(Random& random) {
   const double radial = dot(gradient, u);
   const double slope = dot(gradient, gradient) - radial * radial;  // of the part along the sphere
   const double stretch = radius * std::sqrt(radius * radius + slope);
-  if (random.unit() * kLargest >= stretch) return std::nullopt;
+  if (random.unit() * largest_stretch >= stretch) return std::nullopt;
   return Point3{radius * u.x, radius * u.y, radius * u.z};
 }
 
