@@ -34,7 +34,7 @@ class Delaunay {
     kFlat,      ///< fewer than four affinely independent points so far: no cells yet
     kOutgrown,  ///< max_bytes reached: the structure is unusable, split the work
     kBadRange,  ///< coordinates too far apart in magnitude for exact arithmetic
-                ///< (docs/algorithms.md)
+                ///< (docs/algorithms/predicates.md)
   };
 
   struct Options {
