@@ -22,7 +22,7 @@ DOORS = {
     r"itk": ["tools/slices"],
     r"libdeflate\.h": ["io/vtp_codec.cpp"],
     r"lz4": ["io/vtp_codec.cpp"],
-    r"nlohmann/": ["engine"],
+    r"nlohmann/": ["engine", "tools"],
     r"png\.h": ["tools"],
     r"spdlog/": ["tools"],
     r"(tbb|oneapi)/": ["engine/parallel.h"],

@@ -28,6 +28,7 @@ void print_json(const KernelTimes& times, const DistinctPoints& cloud, int threa
                                       {"seconds", times.seconds()},
                                       {"sort_seconds", times.sort_seconds},
                                       {"insert_seconds", times.insert_seconds},
+                                      {"cpu_seconds", times.cpu_seconds},
                                       {"points_per_second", rate(times)},
                                       {"kernel_bytes", times.kernel_bytes},
                                       {"bytes_per_point", per_point(times.kernel_bytes, times)},

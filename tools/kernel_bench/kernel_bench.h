@@ -27,6 +27,7 @@ DistinctPoints read_distinct_points(PointSource& source);
 struct KernelTimes {
   double sort_seconds = 0;    ///< keys and sort
   double insert_seconds = 0;  ///< copy in order and insertion
+  double cpu_seconds = 0;     ///< of the processor for both; other work beside does not count
   std::uint64_t points = 0;
   std::uint64_t tetrahedra = 0;  ///< finite
   std::uint64_t kernel_bytes = 0;
