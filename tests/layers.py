@@ -20,7 +20,7 @@ DOORS = {
     r"expat\.h": ["io/xml_reader.cpp"],
     r"flann/": ["spatial/neighbors.cpp"],
     r"itk": ["tools/slices"],
-    r"libdeflate\.h": ["io/vtp_codec.cpp"],
+    r"libdeflate\.h": ["io/vtk_xml_blocks.cpp", "io/vtp_codec.cpp"],
     r"lz4": ["io/vtp_codec.cpp"],
     r"nlohmann/": ["engine", "tools"],
     r"png\.h": ["tools"],
