@@ -39,7 +39,8 @@ bool to_integers(const std::array<Point3, kRows>& rows, double inverse_unit, int
   std::uint64_t top = 0;
   const auto convert = [&](double difference, std::int64_t& integer) {
     const double multiple = difference * inverse_unit;
-    if (!(std::fabs(multiple) <= kExact)) return false;
+    // A difference of 2^53 units may have been rounded to that.
+    if (!(std::fabs(multiple) < kExact)) return false;
     integer = static_cast<std::int64_t>(multiple);
     const auto magnitude = static_cast<std::uint64_t>(std::abs(integer));
     all |= magnitude;

@@ -115,6 +115,15 @@ TEST(Predicates, integers_and_expansions_agree_with_the_reference_wherever_they_
   EXPECT_GT(integers_decided, kRounds);
 }
 
+TEST(Predicates, differences_rounded_to_two_to_the_53_units_are_not_taken_for_exact) {
+  const double below_one = 1 - 0x1p-53;
+  const std::array<Point3, 4> p{{{-2, 0x1p-53, 1},
+                                 {-below_one, -below_one, -0x1p-53},
+                                 {-below_one, -below_one, 0},
+                                 {-1, -1, 1}}};
+  EXPECT_EQ(predicates_of(p).orient3d(p[0], p[1], p[2], p[3]), 1);
+}
+
 TEST(Predicates, in_circle_is_exact_on_coplanar_points) {
   for_all_families([](Points5 p, auto&) {
     if (reference::orient3d(p[0], p[1], p[2], p[3]) != 0) {
