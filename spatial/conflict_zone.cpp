@@ -1,15 +1,16 @@
 #include "spatial/conflict_zone.h"
 
-#include <array>
+#include <bit>
 
 namespace stream_recon::detail {
+namespace {
 
 // Whether the point is inside the circumsphere or, for an infinite cell, beyond the hull facet. In
 // the plane of the facet the circumsphere shrinks to the facet's circumcircle.
-bool ConflictZone::is_in_conflict(const Cell& cell, const Request& request,
-                                  const Predicates& predicates) const {
+bool is_in_conflict(const Cell& cell, const ConflictZone::Request& request,
+                    const Predicates& predicates) {
   const Point3& p = request.points[request.vertex];
-  const Point3& a = request.points[vertex_of(cell, 0)];
+  const Point3& a = request.points[cell.vertex[0]];
   const Point3& b = request.points[cell.vertex[1]];
   const Point3& c = request.points[cell.vertex[2]];
   if (!is_infinite(cell)) {
@@ -19,94 +20,100 @@ bool ConflictZone::is_in_conflict(const Cell& cell, const Request& request,
   return side != 0 ? side > 0 : predicates.in_circle_perturbed(a, b, c, p) > 0;
 }
 
-inline void ConflictZone::add_to_zone(CellArray& cells, std::uint32_t cell,
-                                      std::uint32_t entered_by) {
-  cells[cell].vertex[0] |= kDead;
-  zone_.push_back(cell);
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    if (i == entered_by) continue;
-    pending_.push_back(facet_link(cell, i));
-    __builtin_prefetch(&cells[cell_of(cells[cell].link[i])]);
+bool decide_tie(const Cell& cell, const ConflictZone::Request& request,
+                const Predicates& predicates) {
+  const Point3* points = request.points;
+  return predicates.in_sphere_tie(points[cell.vertex[0]], points[cell.vertex[1]],
+                                  points[cell.vertex[2]], points[cell.vertex[3]],
+                                  points[request.vertex]) > 0;
+}
+
+}  // namespace
+
+// Lists a cell, if it counts, and its facets but the one it was entered by. Written in any case and
+// then counted or not: a branch here would be mispredicted every other time.
+inline void ConflictZone::add(CellArray& cells, std::uint32_t cell, std::uint32_t entered_by,
+                              bool counts) {
+  Cell& entered = cells[cell];
+  entered.vertex[0] |= counts ? kDead : 0;
+  *zone_.end() = cell;
+  zone_.grow(counts ? 1 : 0);
+  SharedFacet* const facet = pending_.end();
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t i = kFacet[entered_by][k];
+    facet[k] = {facet_link(cell, i), entered.link[i]};
+    __builtin_prefetch(&cells[cell_of(entered.link[i])]);
+  }
+  pending_.grow(counts ? 3 : 0);
+}
+
+// The next four facets with a cell beyond that is not in the zone; fewer only at the end.
+inline ConflictZone::Batch ConflictZone::next_batch(const CellArray& cells) {
+  Batch batch;
+  const SharedFacet* const pending = pending_.begin();
+  const std::size_t end = pending_.size();
+  while (batch.count < 4 && next_ < end) {
+    const SharedFacet facet = pending[next_++];
+    batch.facet[batch.count] = facet;
+    batch.count += is_dead(cells[cell_of(facet.outer)]) ? 0 : 1;
+  }
+  return batch;
+}
+
+inline void ConflictZone::test(Batch& batch, const CellArray& cells, const Predicates& predicates,
+                               const Request& request) const {
+  const PaddedPoint query{request.points[request.vertex]};
+  std::array<const Cell*, 4> beyond;
+  unsigned infinite = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    beyond[i] = &cells[cell_of(batch.facet[i < batch.count ? i : 0].outer)];
+    infinite |= static_cast<unsigned>(is_infinite(*beyond[i])) << i;
+  }
+  const SphereBatch known =
+      test_spheres_(beyond, request.points, query, predicates.in_sphere_reach());
+  batch.in_conflict = known.inside & ~infinite;
+  unsigned open = ((1U << batch.count) - 1) & (infinite | ~(known.inside | known.outside));
+  for (; open != 0; open &= open - 1) {
+    const unsigned lane = static_cast<unsigned>(std::countr_zero(open));
+    const bool is_tie = ((known.cospherical & ~infinite) >> lane & 1) != 0;
+    const bool inside = is_tie ? decide_tie(*beyond[lane], request, predicates)
+                               : is_in_conflict(*beyond[lane], request, predicates);
+    batch.in_conflict |= static_cast<unsigned>(inside) << lane;
   }
 }
 
-// The new cell takes the place of the old one at the facet; the vertex stands where the vertex
-// opposite the facet stood, which keeps the orientation and infinity in the last place.
-inline void ConflictZone::build_on(CellArray& cells, std::uint32_t facet, std::uint32_t vertex) {
-  const std::uint32_t i = facet_of(facet);
-  const std::uint32_t built = cells.allocate();
-  const Cell& old = cells[cell_of(facet)];
-  Cell& cell = cells[built];
-  for (int k = 0; k < 4; ++k) cell.vertex[k] = old.vertex[k];
-  cell.vertex[0] &= ~kDead;
-  cell.vertex[i] = vertex;
-  const std::uint32_t outer = old.link[i];
-  cell.link[i] = outer;
-  cells[cell_of(outer)].link[facet_of(outer)] = facet_link(built, i);
-  built_.push_back(facet_link(built, i));
+inline void ConflictZone::sort_out(const Batch& batch, CellArray& cells) {
+  pending_.make_room(12 + 3);
+  boundary_.make_room(4 + 1);
+  zone_.make_room(4 + 1);
+  for (unsigned i = 0; i < batch.count; ++i) {
+    const SharedFacet facet = batch.facet[i];
+    const std::uint32_t beyond = cell_of(facet.outer);
+    // An earlier facet of the batch may have led to the same cell.
+    const unsigned is_new = is_dead(cells[beyond]) ? 0 : 1;
+    const unsigned in_conflict = batch.in_conflict >> i & 1;
+    *boundary_.end() = facet;
+    boundary_.grow(is_new & ~in_conflict);
+    add(cells, beyond, facet_of(facet.outer), (is_new & in_conflict) != 0);
+  }
 }
 
-bool ConflictZone::insert(CellArray& cells, const Predicates& predicates, const Request& request,
-                          std::uint32_t& new_cell) {
-  const PaddedPoint query{request.points[request.vertex]};
+void ConflictZone::find(CellArray& cells, const Predicates& predicates, const Request& request) {
   zone_.clear();
   pending_.clear();
-  built_.clear();
-  if (!cells.make_room(4, request.most_cells)) return false;
-  add_to_zone(cells, request.first_cell, 4);
-  std::size_t next = 0;
+  boundary_.clear();
+  pending_.make_room(4);
+  zone_.make_room(1);
+  next_ = 0;
+  add(cells, request.first_cell, 3, true);
+  *pending_.end() = {facet_link(request.first_cell, 3), cells[request.first_cell].link[3]};
+  pending_.grow(1);
   for (;;) {
-    // The next four facets with a cell behind them that is not in the zone.
-    std::array<std::uint32_t, 4> facet;
-    std::array<const Cell*, 4> beyond;
-    unsigned count = 0;
-    while (count < 4 && next < pending_.size()) {
-      const std::uint32_t link = pending_[next++];
-      const Cell& cell = cells[cell_of(cells[cell_of(link)].link[facet_of(link)])];
-      if (is_dead(cell)) continue;
-      facet[count] = link;
-      beyond[count++] = &cell;
-    }
-    if (count == 0) break;
-    for (unsigned i = count; i < 4; ++i) beyond[i] = beyond[0];
-    const SphereBatch known =
-        test_spheres_(beyond, request.points, query, predicates.in_sphere_reach());
-    // Links of zone cells stay as they were, so indices remain good when the array moves.
-    std::array<std::uint32_t, 4> link;
-    for (unsigned i = 0; i < count; ++i) {
-      link[i] = cells[cell_of(facet[i])].link[facet_of(facet[i])];
-    }
-    if (!cells.make_room(4, request.most_cells)) return false;
-    for (unsigned i = 0; i < count; ++i) {
-      const Cell& cell = cells[cell_of(link[i])];
-      if (is_dead(cell)) continue;  // by an earlier lane
-      bool in_conflict = (known.inside >> i & 1) != 0;
-      if (is_infinite(cell) || ((known.inside | known.outside) >> i & 1) == 0) [[unlikely]] {
-        if (!is_infinite(cell) && (known.cospherical >> i & 1) != 0) {
-          in_conflict = predicates.in_sphere_tie(request.points[cell.vertex[0]],
-                                                 request.points[cell.vertex[1]],
-                                                 request.points[cell.vertex[2]],
-                                                 request.points[cell.vertex[3]], query.point) > 0;
-        } else {
-          in_conflict = is_in_conflict(cell, request, predicates);
-        }
-      }
-      if (in_conflict) {
-        add_to_zone(cells, cell_of(link[i]), facet_of(link[i]));
-      } else {
-        build_on(cells, facet[i], request.vertex);
-      }
-    }
+    Batch batch = next_batch(cells);
+    if (batch.count == 0) return;
+    test(batch, cells, predicates, request);
+    sort_out(batch, cells);
   }
-  edge_links_.join(cells, built_);
-  cells.release(zone_.data(), zone_.size());
-  new_cell = cell_of(built_.back());
-  return true;
-}
-
-std::size_t ConflictZone::bytes() const {
-  return edge_links_.bytes() +
-         (zone_.capacity() + pending_.capacity() + built_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace stream_recon::detail

@@ -1,22 +1,29 @@
-// One insertion of the Delaunay kernel: finds the cells whose circumsphere holds the point, and
-// replaces them by cells from their boundary to the point (Bowyer 1981, Watson 1981).
+// The cells in conflict with a point: those whose circumsphere holds it.
 //
-// Invariant: before and after, the cells are the Delaunay structure of the points inserted.
-// Thread rule: one writer. Cost: four in-sphere tests at a time; about 50 tests and 28 new cells a
-// point of a random cloud.
+// Guarantees: find() marks exactly the cells in conflict dead and lists them and their boundary;
+// nothing else changes. The zone is star-shaped seen from the point (exact predicates, ties
+// perturbed), so that cells from its boundary to the point fill it (Bowyer 1981, Watson 1981).
+// Memory: the largest zone seen. Thread rule: one writer. Cost: four in-sphere tests at a time;
+// about 50 tests a point of a random cloud.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "spatial/cell_array.h"
-#include "spatial/edge_links.h"
 #include "spatial/point.h"
 #include "spatial/predicates.h"
 #include "spatial/sphere_batch.h"
+#include "spatial/work_list.h"
 
 namespace stream_recon::detail {
+
+/// A facet between two cells, as a link to it from either side.
+struct SharedFacet {
+  std::uint32_t inner;  ///< as a facet of the cell in the zone
+  std::uint32_t outer;  ///< as a facet of the cell beyond
+};
 
 class ConflictZone {
  public:
@@ -24,28 +31,32 @@ class ConflictZone {
 
   struct Request {
     const Point3* points;      ///< by vertex
-    std::uint32_t vertex;      ///< the one to insert
+    std::uint32_t vertex;      ///< the point
     std::uint32_t first_cell;  ///< a cell in conflict with it
-    std::size_t most_cells;    ///< limit of cell slots
   };
+  void find(CellArray& cells, const Predicates& predicates, const Request& request);
 
-  /// A cell at the new vertex; nothing if the limit is reached: the cells are then unusable.
-  bool insert(CellArray& cells, const Predicates& predicates, const Request& request,
-              std::uint32_t& new_cell);
-
-  void reserve_vertices(std::size_t count) { edge_links_.reserve_vertices(count); }
-  std::size_t bytes() const;
+  const WorkList<std::uint32_t>& cells() const { return zone_; }
+  const WorkList<SharedFacet>& boundary() const { return boundary_; }
+  std::size_t bytes() const { return zone_.bytes() + pending_.bytes() + boundary_.bytes(); }
 
  private:
-  bool is_in_conflict(const Cell& cell, const Request& request, const Predicates& predicates) const;
-  void add_to_zone(CellArray& cells, std::uint32_t cell, std::uint32_t entered_by);
-  void build_on(CellArray& cells, std::uint32_t facet, std::uint32_t vertex);
+  struct Batch {
+    std::array<SharedFacet, 5> facet;  // one more is written than counts
+    unsigned count = 0;
+    unsigned in_conflict = 0;  // a bit a facet
+  };
+  Batch next_batch(const CellArray& cells);
+  void test(Batch& batch, const CellArray& cells, const Predicates& predicates,
+            const Request& request) const;
+  void sort_out(const Batch& batch, CellArray& cells);
+  void add(CellArray& cells, std::uint32_t cell, std::uint32_t entered_by, bool counts);
 
   SphereBatchTest test_spheres_;
-  EdgeLinks edge_links_;
-  std::vector<std::uint32_t> zone_;     // the cells in conflict
-  std::vector<std::uint32_t> pending_;  // facets of them to cross
-  std::vector<std::uint32_t> built_;    // facet opposite the point, of every new cell
+  WorkList<std::uint32_t> zone_;
+  WorkList<SharedFacet> pending_;  // facets of the zone to cross
+  std::size_t next_ = 0;           // the first of them not crossed yet
+  WorkList<SharedFacet> boundary_;
 };
 
 }  // namespace stream_recon::detail

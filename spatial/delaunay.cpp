@@ -13,6 +13,7 @@
 #include "spatial/insertion_rounds.h"
 #include "spatial/point_location.h"
 #include "spatial/predicates.h"
+#include "spatial/star_builder.h"
 
 namespace stream_recon {
 
@@ -28,6 +29,7 @@ struct Delaunay::Impl {
   double scale = 1;
   detail::CellArray cells;
   detail::ConflictZone zone;
+  detail::StarBuilder star;
   std::uint32_t last_cell = 0;
   int dimension = -1;
   bool is_unusable = false;
@@ -41,7 +43,7 @@ struct Delaunay::Impl {
 
 // How many cell slots the limit leaves. An eighth of a cell is room for the lists of free ones.
 std::size_t Delaunay::Impl::most_cells() const {
-  const std::size_t taken = point_bytes() + zone.bytes();
+  const std::size_t taken = point_bytes() + zone.bytes() + star.bytes();
   if (options.max_bytes <= taken) return 0;
   return std::min((options.max_bytes - taken) / (sizeof(Cell) + sizeof(Cell) / 8),
                   detail::CellArray::kMostCells);
@@ -56,7 +58,7 @@ bool Delaunay::Impl::append(std::span<const Point3> added) {
   if (needed > points.capacity()) {
     const std::size_t room = std::max(needed, points.capacity() + points.capacity() / 2);
     points.reserve(room);
-    zone.reserve_vertices(room);
+    star.reserve_vertices(room);
   }
   const auto times = [](const Point3& p, double s) { return Point3{p.x * s, p.y * s, p.z * s}; };
   if (*new_scale != scale) {
@@ -90,7 +92,9 @@ bool Delaunay::Impl::insert_rounds(std::size_t first, const detail::FirstSimplex
       if (std::ranges::find(done.vertices, vertex) != done.vertices.end()) continue;
       const std::uint32_t at =
           detail::locate(cells, exact, {points.data(), last_cell, points[vertex]});
-      if (!zone.insert(cells, exact, {points.data(), vertex, at, limit}, last_cell)) return false;
+      zone.find(cells, exact, {points.data(), vertex, at});
+      if (!cells.make_room(zone.boundary().size(), limit)) return false;
+      last_cell = star.build(cells, zone, vertex);
     }
   }
   return true;
@@ -172,7 +176,7 @@ std::size_t Delaunay::finite_cell_count() const {
 }
 
 std::size_t Delaunay::bytes() const {
-  return impl_->point_bytes() + impl_->cells.bytes() + impl_->zone.bytes();
+  return impl_->point_bytes() + impl_->cells.bytes() + impl_->zone.bytes() + impl_->star.bytes();
 }
 
 }  // namespace stream_recon

@@ -1,4 +1,4 @@
-#include "spatial/edge_links.h"
+#include "spatial/star_builder.h"
 
 #include <array>
 #include <bit>
@@ -6,21 +6,42 @@
 
 namespace stream_recon::detail {
 
-void EdgeLinks::join(CellArray& cells, const std::vector<std::uint32_t>& facets) {
-  if (facets.size() <= kSmallFacets) {
-    join_few(cells, facets);
-  } else {
-    join_many(cells, facets);
-  }
+// The new cell takes the place of the zone's cell at the facet; the vertex stands where the vertex
+// opposite the facet stood, which keeps the orientation and infinity in the last place.
+inline std::uint32_t StarBuilder::build_cell(CellArray& cells, const SharedFacet& facet,
+                                             std::uint32_t vertex) {
+  const std::uint32_t i = facet_of(facet.inner);
+  const std::uint32_t built = cells.allocate();
+  const Cell& old = cells[cell_of(facet.inner)];
+  Cell& cell = cells[built];
+  for (int k = 0; k < 4; ++k) cell.vertex[k] = old.vertex[k];
+  cell.vertex[0] &= ~kDead;
+  cell.vertex[i] = vertex;
+  cell.link[i] = facet.outer;
+  cells[cell_of(facet.outer)].link[facet_of(facet.outer)] = facet_link(built, i);
+  return facet_link(built, i);
 }
 
-void EdgeLinks::join_few(CellArray& cells, const std::vector<std::uint32_t>& facets) {
+std::uint32_t StarBuilder::build(CellArray& cells, const ConflictZone& zone, std::uint32_t vertex) {
+  built_.resize(zone.boundary().size());
+  std::uint32_t* built = built_.data();
+  for (const SharedFacet& facet : zone.boundary()) *built++ = build_cell(cells, facet, vertex);
+  if (built_.size() <= kSmallFacets) {
+    link_few(cells);
+  } else {
+    link_many(cells);
+  }
+  cells.release(zone.cells().begin(), zone.cells().size());
+  return cell_of(built_.back());
+}
+
+void StarBuilder::link_few(CellArray& cells) {
   std::array<std::uint32_t, kSmall + 1> labelled;  // one more is written, then not counted
   std::uint8_t* const labels = labels_.data();
   std::uint32_t* const table = small_table_.data();
   std::uint16_t* reversed = reversed_.data();
   std::uint32_t count = 0;
-  for (const std::uint32_t facet : facets) {
+  for (const std::uint32_t facet : built_) {
     const Cell& cell = cells[cell_of(facet)];
     const std::uint8_t* corner = kFacet[facet_of(facet)];
     std::uint32_t label[3];
@@ -45,7 +66,7 @@ void EdgeLinks::join_few(CellArray& cells, const std::vector<std::uint32_t>& fac
     }
   }
   reversed = reversed_.data();
-  for (const std::uint32_t facet : facets) {
+  for (const std::uint32_t facet : built_) {
     Cell& cell = cells[cell_of(facet)];
     const std::uint8_t* corner = kFacet[facet_of(facet)];
     for (int i = 0; i < 3; ++i) cell.link[corner[i]] = table[*reversed++];
@@ -53,19 +74,19 @@ void EdgeLinks::join_few(CellArray& cells, const std::vector<std::uint32_t>& fac
   for (std::uint32_t i = 0; i < count; ++i) labels[labelled[i]] = 0;
 }
 
-EdgeLinks::DirectedEdge& EdgeLinks::slot(std::uint64_t ends) {
+StarBuilder::DirectedEdge& StarBuilder::slot(std::uint64_t ends) {
   const std::size_t mask = large_table_.size() - 1;
   std::size_t at = (ends * 0x9e3779b97f4a7c15u >> 20) & mask;
   while (large_table_[at].ends != 0 && large_table_[at].ends != ends) at = (at + 1) & mask;
   return large_table_[at];
 }
 
-void EdgeLinks::join_many(CellArray& cells, const std::vector<std::uint32_t>& facets) {
+void StarBuilder::link_many(CellArray& cells) {
   const auto ends = [](std::uint32_t from, std::uint32_t to) {
     return std::uint64_t{from} << 32 | to;
   };
-  large_table_.assign(std::bit_ceil(6 * facets.size()), {0, 0});
-  for (const std::uint32_t facet : facets) {
+  large_table_.assign(std::bit_ceil(6 * built_.size()), {0, 0});
+  for (const std::uint32_t facet : built_) {
     const Cell& cell = cells[cell_of(facet)];
     const std::uint8_t* corner = kFacet[facet_of(facet)];
     for (int i = 0; i < 3; ++i) {
@@ -74,7 +95,7 @@ void EdgeLinks::join_many(CellArray& cells, const std::vector<std::uint32_t>& fa
       slot(edge) = {edge, (facet & ~std::uint32_t{3}) | corner[i]};
     }
   }
-  for (const std::uint32_t facet : facets) {
+  for (const std::uint32_t facet : built_) {
     Cell& cell = cells[cell_of(facet)];
     const std::uint8_t* corner = kFacet[facet_of(facet)];
     for (int i = 0; i < 3; ++i) {
@@ -86,9 +107,9 @@ void EdgeLinks::join_many(CellArray& cells, const std::vector<std::uint32_t>& fa
   }
 }
 
-std::size_t EdgeLinks::bytes() const {
-  return small_table_.size() * sizeof(std::uint32_t) + reversed_.size() * sizeof(std::uint16_t) +
-         large_table_.capacity() * sizeof(DirectedEdge);
+std::size_t StarBuilder::bytes() const {
+  return built_.capacity() * sizeof(std::uint32_t) + small_table_.size() * sizeof(std::uint32_t) +
+         reversed_.size() * sizeof(std::uint16_t) + large_table_.capacity() * sizeof(DirectedEdge);
 }
 
 }  // namespace stream_recon::detail
