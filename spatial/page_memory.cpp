@@ -11,8 +11,6 @@ void* grow_pages(void* block, std::size_t old_bytes, std::size_t new_bytes) {
                                         MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)
                                  : mremap(block, old_bytes, new_bytes, MREMAP_MAYMOVE);
   if (grown == MAP_FAILED) throw std::bad_alloc();
-  // Huge pages spare the insertion most of its TLB misses. Advice only: a refusal costs speed.
-  madvise(grown, new_bytes, MADV_HUGEPAGE);
   return grown;
 }
 
