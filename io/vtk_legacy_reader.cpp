@@ -47,7 +47,7 @@ class VtkLegacySource : public PointSource {
     const std::optional<double> value =
         header_.type == ScalarType::kFloat32 ? whole_float(word) : whole_double(word);
     if (!value) {
-      text_.fail(quoted(word) + " is no number, in point " + std::to_string(done_) + " of " +
+      text_.fail(quote_text(word) + " is no number, in point " + std::to_string(done_) + " of " +
                  std::to_string(header_.points) + "; correct it or the count of POINTS");
     }
     if (!text_.terminated()) {
