@@ -63,7 +63,7 @@ std::optional<std::uint64_t> whole_count(std::string_view text) {
   return count;
 }
 
-std::string quoted(std::string_view text) {
+std::string quote_text(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string result = "\"";
   for (const char c : text.substr(0, kLongest)) {

@@ -27,6 +27,6 @@ std::optional<double> whole_float(std::string_view text);
 std::optional<std::uint64_t> whole_count(std::string_view text);
 
 /// The text in double quotes, at most 40 characters of it, unprintable ones shown as '?'.
-std::string quoted(std::string_view text);
+std::string quote_text(std::string_view text);
 
 }  // namespace stream_recon

@@ -91,7 +91,7 @@ class PlyAsciiSource : public PointSource {
                                                     : parse_double(line.data(), end, value);
     if (stop == nullptr || (stop != end && !is_blank(*stop))) {
       if (line.empty()) fail_few();
-      text_.fail(quoted(take_word(line)) + " is no number; correct the line or the PLY header");
+      text_.fail(quote_text(take_word(line)) + " is no number; correct the line or the PLY header");
     }
     line.remove_prefix(static_cast<std::size_t>(stop - line.data()));
     return value;
@@ -100,7 +100,7 @@ class PlyAsciiSource : public PointSource {
   void skip_list(std::string_view& line) const {
     const std::string_view word = take_word(line);
     const std::optional<std::uint64_t> length = whole_count(word);
-    if (!length) text_.fail(quoted(word) + " is no list length; correct the line");
+    if (!length) text_.fail(quote_text(word) + " is no list length; correct the line");
     for (std::uint64_t i = 0; i < *length; ++i) take_word(line);
   }
 

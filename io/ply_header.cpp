@@ -72,13 +72,14 @@ class HeaderParser {
       parse_format(words[1], words[2]);
     } else if (words[0] == "element" && words.size() == 3) {
       const std::optional<std::uint64_t> count = whole_count(words[2]);
-      if (!count) text_.fail(quoted(words[2]) + " is no element count; correct the PLY header");
+      if (!count) text_.fail(quote_text(words[2]) + " is no element count; correct the PLY header");
       header_.elements.push_back({std::string(words[1]), *count, {}});
     } else if (words[0] == "property" && !header_.elements.empty() &&
                (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
       add_property(words);
     } else {
-      text_.fail("unexpected line " + quoted(line) + " in the PLY header; correct or remove it");
+      text_.fail("unexpected line " + quote_text(line) +
+                 " in the PLY header; correct or remove it");
     }
   }
 
@@ -90,11 +91,11 @@ class HeaderParser {
     } else if (name == "binary_big_endian") {
       header_.format = PlyFormat::kBinaryBigEndian;
     } else {
-      text_.fail("unknown PLY format " + quoted(name) +
+      text_.fail("unknown PLY format " + quote_text(name) +
                  "; known are ascii, binary_little_endian, binary_big_endian");
     }
     if (version != "1.0") {
-      text_.fail("unknown PLY version " + quoted(version) + "; only 1.0 exists");
+      text_.fail("unknown PLY version " + quote_text(version) + "; only 1.0 exists");
     }
     has_format_ = true;
   }
@@ -102,7 +103,7 @@ class HeaderParser {
   void add_property(const std::vector<std::string_view>& words) {
     const auto known = [&](std::string_view name) {
       const std::optional<ScalarType> type = type_named(name);
-      if (!type) text_.fail("unknown PLY type " + quoted(name) + "; correct the header");
+      if (!type) text_.fail("unknown PLY type " + quote_text(name) + "; correct the header");
       return *type;
     };
     PlyProperty property;
@@ -112,7 +113,7 @@ class HeaderParser {
     if (property.is_list) {
       property.count_type = known(words[2]);
       if (is_floating(property.count_type)) {
-        text_.fail("the length of list " + quoted(property.name) +
+        text_.fail("the length of list " + quote_text(property.name) +
                    " is no integer; correct the PLY header");
       }
     }

@@ -44,22 +44,24 @@ VtpDocument::VtpDocument(ByteSource& source) : source_(source), xml_(source) {
 void VtpDocument::read_encoding(const XmlEvent& root) {
   const std::string_view type = root.attribute("type");
   if (type.starts_with("P") && type != "PolyData") {
-    source_.fail("a file of type " + quoted(type) + " is an index; give the files it names");
+    source_.fail("a file of type " + quote_text(type) + " is an index; give the files it names");
   }
   if (type != "PolyData" && type != "UnstructuredGrid") {
-    source_.fail("a VTK file of type " + quoted(type) +
+    source_.fail("a VTK file of type " + quote_text(type) +
                  " is not read; give PolyData or UnstructuredGrid");
   }
   is_poly_data_ = type == "PolyData";
   const std::string_view order = root.attribute("byte_order");
   if (order != "LittleEndian" && order != "BigEndian") {
-    source_.fail("byte_order " + quoted(order) + " is neither LittleEndian nor BigEndian; " +
+    source_.fail("byte_order " + quote_text(order) +
+                 " is neither LittleEndian nor BigEndian; "
                  "correct the VTKFile tag");
   }
   encoding_.order = order == "BigEndian" ? std::endian::big : std::endian::little;
   const std::string_view header = root.attribute("header_type");
   if (header != "" && header != "UInt32" && header != "UInt64") {
-    source_.fail("header_type " + quoted(header) + " is neither UInt32 nor UInt64; " +
+    source_.fail("header_type " + quote_text(header) +
+                 " is neither UInt32 nor UInt64; "
                  "correct the VTKFile tag");
   }
   encoding_.header = header == "UInt64" ? ScalarType::kUint64 : ScalarType::kUint32;
@@ -69,7 +71,7 @@ void VtpDocument::read_encoding(const XmlEvent& root) {
   } else if (compressor == "vtkLZ4DataCompressor") {
     encoding_.compressor = VtpCompressor::kLz4;
   } else if (!compressor.empty()) {
-    source_.fail("the compressor " + quoted(compressor) +
+    source_.fail("the compressor " + quote_text(compressor) +
                  " is not read; write the file with zlib, LZ4 or none");
   }
 }
@@ -137,7 +139,7 @@ VtpArray VtpDocument::describe(const XmlEvent& event) const {
   array.name = event.attribute("Name");
   const std::optional<ScalarType> type = type_named(event.attribute("type"));
   if (!type) {
-    source_.fail("a data array of unknown type " + quoted(event.attribute("type")) +
+    source_.fail("a data array of unknown type " + quote_text(event.attribute("type")) +
                  "; leave it out or correct its tag");
   }
   array.type = *type;
@@ -152,7 +154,7 @@ VtpArray VtpDocument::describe(const XmlEvent& event) const {
   } else if (format == "binary") {
     array.storage = VtpStorage::kBase64;
   } else if (!format.empty() && format != "ascii") {
-    source_.fail("a data array of unknown format " + quoted(format) + "; correct its tag");
+    source_.fail("a data array of unknown format " + quote_text(format) + "; correct its tag");
   }
   return array;
 }
@@ -189,8 +191,10 @@ std::uint64_t VtpDocument::count_of(const XmlEvent& event, const char* attribute
   if (text.empty()) return 0;
   const std::optional<std::uint64_t> count = whole_count(text);
   if (!count || *count > kMost) {
-    source_.fail(std::string(attribute) + "=" + quoted(text) + " is no possible count; " +
-                 "correct the tag " + event.name);
+    source_.fail(std::string(attribute) + "=" + quote_text(text) +
+                 " is no possible count; "
+                 "correct the tag " +
+                 event.name);
   }
   return *count;
 }

@@ -82,7 +82,8 @@ class MeshReader {
   template <typename T>
   void read_values(const VtpArray& array, std::array<ScalarType, 2> types, std::vector<T>& out) {
     if (array.type != types[0] && array.type != types[1]) {
-      source_.fail("array " + array.name + " is of another type than this program writes; " +
+      source_.fail("array " + array.name +
+                   " is of another type than this program writes; "
                    "leave it out");
     }
     constexpr std::size_t kAtOnce = 4096;
@@ -168,8 +169,9 @@ class MeshReader {
 
   void check_whole(std::size_t values, std::size_t described) const {
     if (values != 0 && values != described) {
-      source_.fail("an array is there for some pieces only, or has several components; " +
-                   std::string("write it for all, with one component"));
+      source_.fail(
+          "an array is there for some pieces only, or has several components; "
+          "write it for all, with one component");
     }
   }
 

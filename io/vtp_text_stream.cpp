@@ -164,7 +164,7 @@ class NumberStream : public VtpStream {
   }
 
   [[noreturn]] void fail_word() const {
-    source_.fail(quoted(word_) + " does not fit the type of its array; the file is damaged");
+    source_.fail(quote_text(word_) + " does not fit the type of its array; the file is damaged");
   }
 
   VtpText& text_;

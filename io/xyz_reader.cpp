@@ -89,7 +89,7 @@ class XyzSource : public PointSource {
   void take_names(std::string_view line) {
     const std::optional<Axes> axes = named_axes(without_comment(line));
     if (!axes) {
-      text_.fail("the first line " + quoted(line) +
+      text_.fail("the first line " + quote_text(line) +
                  " is neither numbers nor names of columns x, y, z; name them, or put # in front");
     }
     axes_ = *axes;
@@ -151,7 +151,7 @@ class XyzSource : public PointSource {
         text_.fail(std::to_string(i) + " columns, too few for x, y and z; correct the line");
       }
     }
-    const std::string shown = column.empty() ? "an empty column" : quoted(column);
+    const std::string shown = column.empty() ? "an empty column" : quote_text(column);
     text_.fail(shown + " where column " + std::to_string(index + 1) +
                " should be a number; correct the line, or put # in front of a comment");
   }
