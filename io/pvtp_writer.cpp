@@ -40,7 +40,7 @@ bool is_chunk_name(std::string_view name) {
 }
 
 std::string folder_of(const std::string& index_path) {
-  const std::string folder = index_path.substr(0, index_path.size() - kEnding.size());
+  std::string folder = index_path.substr(0, index_path.size() - kEnding.size());
   if (folder.empty() || folder.ends_with('/')) {
     throw std::invalid_argument("'" + index_path + "' lacks a name before .pvtp");
   }
