@@ -10,7 +10,7 @@
 namespace stream_recon {
 namespace {
 
-// Level 3 gains 1 to 7 % on point data at two thirds of the speed (docs/formats.md).
+// Level 3 takes off 0 to 7 % more of point data at 0.5 to 0.9 of the speed (docs/formats.md).
 constexpr int kLevel = 1;
 
 template <class Context>

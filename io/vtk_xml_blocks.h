@@ -2,7 +2,7 @@
 //
 // Guarantees: readable by vtkZLibDataCompressor with header_type UInt64, byte order little endian;
 // the same bytes for the same data. The only door to libdeflate's compressor.
-// Memory: one compressed block and about 0.4 MB of tables. Thread rule: one thread an object.
+// Memory: one compressed block and under 1 MB of tables. Thread rule: one thread an object.
 // Format: VTK file formats, "XML file formats"; docs/formats.md.
 #pragma once
 
