@@ -10,10 +10,12 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "words are read as little endian");
 
 constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
+constexpr std::uint64_t kOtherOdd = 0xd6e8feb86659fd93;
 
-/// A bijection of x, so that a changed word always changes the lane it goes into.
+/// A bijection of lane and of word, so that a changed word always changes its lane. The word is
+/// multiplied too: else a changed top bit could be undone by one changed bit of the next word.
 std::uint64_t step(std::uint64_t lane, std::uint64_t word) {
-  return std::rotl((lane ^ word) * kOdd, 29);
+  return std::rotl(lane ^ word * kOdd, 29) * kOtherOdd;
 }
 
 /// The finalizer of splitmix64 (Steele, Lea, Flood, OOPSLA 2014), a bijection.

@@ -1,8 +1,8 @@
 // A 64-bit checksum for data at rest.
 //
-// Guarantees: a change confined to one aligned 8-byte word is always noticed, any other with
-// probability 1 - 2^-64; the same value on every machine. Not a defence against malice.
-// Cost: about 6 GB/s. Memory: none. Thread rule: pure function.
+// Guarantees: a change confined to one aligned 8-byte word is always noticed, any other but for a
+// chance of about 2^-64; the same value on every machine. Not a defence against malice.
+// Cost: about 5 GB/s. Memory: none. Thread rule: pure function.
 #pragma once
 
 #include <cstddef>

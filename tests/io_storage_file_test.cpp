@@ -1,9 +1,11 @@
 // Files and folders: every failure is an IoError that says what, where and what to do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -148,6 +150,26 @@ TEST(ScratchDirectory, LeavesNothingBehindWhenASignalEndsTheRun) {
   AtomicOutput output(folder / "mesh.ply");
   output.file().write(as_bytes("ply"));
   remove_temporary_paths();
+  EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(ScratchDirectory, IsGoneWhenARealSignalEndedTheProcess) {
+  const TestFolder folder;
+  const auto run_and_interrupt = [&] {
+    struct sigaction action {};
+    action.sa_handler = [](int) {
+      remove_temporary_paths();
+      ::_exit(130);
+    };
+    ::sigaction(SIGINT, &action, nullptr);
+    ScratchDirectory scratch({folder.path()});
+    File file = scratch.create("spool");
+    for (;;) {
+      file.write(as_bytes("0123456789"));
+      if (file.position() > 100000) ::raise(SIGINT);
+    }
+  };
+  EXPECT_EXIT(run_and_interrupt(), testing::ExitedWithCode(130), "");
   EXPECT_THAT(folder.names(), IsEmpty());
 }
 

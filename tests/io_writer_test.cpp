@@ -5,12 +5,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "io/error.h"
@@ -180,21 +183,74 @@ TEST(PvtpWriter, ShowsNoIndexBeforeFinish) {
   EXPECT_THAT(folder.names(), testing::ElementsAre("a", "a.pvtp"));
 }
 
-TEST(PlyWriter, StreamsToStandardOutputWhatItWritesToAFile) {
-  const TestFolder folder;
-  ScratchDirectory scratch({folder.path()});
-  const auto surface = make_surface(3, 100, Scalar::kFloat64, 3);
-  write_surface(surface, {folder / "a.ply", Scalar::kFloat64, &scratch});
+/// Standard output goes elsewhere while this lives.
+class RedirectedOutput {
+ public:
+  explicit RedirectedOutput(int descriptor) {
+    std::fflush(stdout);
+    saved_ = ::dup(STDOUT_FILENO);
+    ::dup2(descriptor, STDOUT_FILENO);
+    ::close(descriptor);
+  }
+  ~RedirectedOutput() {
+    ::dup2(saved_, STDOUT_FILENO);
+    ::close(saved_);
+  }
 
-  std::fflush(stdout);
-  const int saved = ::dup(STDOUT_FILENO);
-  const int captured = ::open((folder / "stream").c_str(), O_WRONLY | O_CREAT, 0600);
-  ::dup2(captured, STDOUT_FILENO);
-  write_surface(surface, {"-", Scalar::kFloat64, &scratch});
-  ::dup2(saved, STDOUT_FILENO);
-  ::close(captured);
-  ::close(saved);
-  EXPECT_TRUE(file_bytes(folder / "stream") == file_bytes(folder / "a.ply"));
+ private:
+  int saved_;
+};
+
+class PlyStream : public testing::Test {
+ protected:
+  PlyStream() {
+    write_surface(surface_, {folder_ / "a.ply", Scalar::kFloat64, &scratch_});
+    file_ = file_bytes(folder_ / "a.ply");
+  }
+  void stream() { write_surface(surface_, {"-", Scalar::kFloat64, &scratch_}); }
+
+  TestFolder folder_;
+  ScratchDirectory scratch_{{folder_.path()}};
+  const std::vector<SurfaceChunk> surface_ = make_surface(3, 5000, Scalar::kFloat64, 3);
+  std::string file_;
+};
+
+TEST_F(PlyStream, HasTheBytesOfTheFile) {
+  {
+    const RedirectedOutput redirected(
+        ::open((folder_ / "stream").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+    stream();
+  }
+  EXPECT_TRUE(file_bytes(folder_ / "stream") == file_);
+}
+
+TEST_F(PlyStream, WaitsForAPipeThatDoesNotBlock) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK), 0);
+  std::string received;
+  {
+    std::jthread reader([&] {
+      std::array<char, 1000> some{};
+      ssize_t got = 0;
+      while ((got = ::read(ends[0], some.data(), some.size())) != 0) {
+        if (got > 0) received.append(some.data(), static_cast<std::size_t>(got));
+        if (got < 0) ::usleep(100);
+      }
+    });
+    const RedirectedOutput redirected(ends[1]);
+    stream();
+  }
+  ::close(ends[0]);
+  EXPECT_TRUE(received == file_);
+}
+
+TEST_F(PlyStream, SaysSoWhenNobodyReadsThePipe) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+  ::close(ends[0]);
+  ::signal(SIGPIPE, SIG_IGN);
+  const RedirectedOutput redirected(ends[1]);
+  EXPECT_THAT([&] { stream(); }, ThrowsMessage<IoError>(HasSubstr("standard output: Broken pipe")));
 }
 
 TEST(PlyWriter, HoldsTheCoordinatesOfEachVertexOnceBitForBit) {
