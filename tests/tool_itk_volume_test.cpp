@@ -6,7 +6,6 @@
 #include <itkImageRegionConstIteratorWithIndex.h>
 #include <itkImageRegionIteratorWithIndex.h>
 #include <itkVector.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "io/error.h"
+#include "tests/io_test_folder.h"
 #include "tools/slices/iso_points.h"
 
 namespace stream_recon {
@@ -24,10 +24,7 @@ constexpr double kRadius = 9.3;
 
 class ItkVolume : public testing::Test {
  protected:
-  ItkVolume() { std::filesystem::create_directories(folder_); }
-  ~ItkVolume() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_ / name; }
 
   template <typename AnyImage>
   void write(const std::string& name, AnyImage* image, bool compressed) const {
@@ -49,8 +46,7 @@ class ItkVolume : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("itk_volume_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 // Voxels are 100 times the distance to a sphere, positive inside; axes are swapped and stretched.

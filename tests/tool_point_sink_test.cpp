@@ -1,32 +1,29 @@
 #include "tools/points/point_sink.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
+#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 #include "io/error.h"
+#include "tests/io_test_folder.h"
 
 namespace stream_recon {
 namespace {
 
 class PointSinkTest : public testing::Test {
  protected:
-  PointSinkTest() { std::filesystem::create_directories(folder_); }
-  ~PointSinkTest() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_ / name; }
 
   std::string written(PointFormat format, Scalar scalar = Scalar::kFloat64) const {
     PointSink sink({path("points"), format, scalar, points_.size()});
     sink.write(points_);
     sink.finish();
-    std::ifstream file(path("points"), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return file_bytes(path("points"));
   }
 
   template <typename Real>
@@ -40,13 +37,12 @@ class PointSinkTest : public testing::Test {
     return bytes;
   }
 
-  bool folder_is_empty() const { return std::filesystem::is_empty(folder_); }
+  bool folder_is_empty() const { return folder_.names().empty(); }
 
   std::vector<Point3> points_{{0.1, -2, 3e-310}, {1e300, 7, -0.0}};
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("point_sink_" + std::to_string(getpid()));
+  TestFolder folder_;
 };
 
 TEST_F(PointSinkTest, RawFormatsAreTheCoordinates) {

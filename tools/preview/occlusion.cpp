@@ -52,7 +52,8 @@ class Horizon {
   }
 
  private:
-  /// The largest sine of a rise over the tangent plane along a ray, faded out towards the reach.
+  /// The largest sine of a rise over the tangent plane along a ray, faded out towards the reach
+  /// and for what hangs far in front.
   float highest_rise(std::size_t x, std::size_t y, const Ray& ray) const {
     const Vector3f& normal = cells_.normal(x, y);
     const float depth = cells_.depth(x, y);
@@ -68,8 +69,9 @@ class Horizon {
       const float dz = other - depth;
       const float length = std::sqrt(dx * dx + dy * dy + dz * dz);
       const float sine = (normal.x * dx + normal.y * dy + normal.z * dz) / length;
-      const float fade = std::max(0.0F, 1 - (length / reach_) * (length / reach_));
-      highest = std::max(highest, (sine - kTangent) * fade);
+      const float nearness = 1 - (distance / reach_) * (distance / reach_);
+      const float same_body = std::clamp(2 - dz / reach_, 0.0F, 1.0F);
+      highest = std::max(highest, (sine - kTangent) * nearness * same_body);
     }
     return highest;
   }
