@@ -1,0 +1,26 @@
+// The alpha criterion: a Delaunay facet belongs to the surface where some ball of radius alpha
+// touches its three points and holds no point of the cloud inside.
+//
+// The centres of all empty balls of a facet are the segment between the centres of its two Delaunay
+// balls (a ray at the hull), so their radii are the interval [mu_min, mu_max]: mu_min is the
+// facet's own radius where the segment crosses its plane (a Gabriel facet), else the smaller ball's
+// radius; mu_max is the larger ball's. The facet is taken iff mu_min <= alpha <= mu_max: the
+// regular and the singular facets of the alpha shape. Radii within 1e-9 of alpha count as equal.
+// Thread rule: pure functions. Source: Edelsbrunner, Muecke 1994, section 5.
+#pragma once
+
+#include "spatial/facet_balls.h"
+
+namespace stream_recon {
+
+struct RadiusInterval {
+  double smallest = 0;  ///< units of the input
+  double largest = 0;   ///< infinite at the convex hull
+};
+
+RadiusInterval empty_ball_radii(const FacetBalls& balls);
+
+/// \param alpha radius > 0, units of the input
+bool is_alpha_facet(const FacetBalls& balls, double alpha);
+
+}  // namespace stream_recon
