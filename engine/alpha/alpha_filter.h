@@ -1,0 +1,24 @@
+// The alpha surface as a filter of the facet stream (spatial/alpha_facet.h).
+//
+// Thread rule: as FacetFilter.
+#pragma once
+
+#include "engine/surface/facet_filter.h"
+#include "spatial/alpha_facet.h"
+
+namespace stream_recon {
+
+class AlphaFilter : public FacetFilter {
+ public:
+  /// \param alpha radius > 0, units of the input
+  AlphaFilter(double alpha, FacetSink& sink, const StopRequest& stop)
+      : FacetFilter(TriangleSource::kAlpha, sink, stop), alpha_(alpha) {}
+
+ protected:
+  bool takes(const FacetBalls& balls) const override { return is_alpha_facet(balls, alpha_); }
+
+ private:
+  double alpha_;
+};
+
+}  // namespace stream_recon

@@ -1,0 +1,24 @@
+// The gamma surface as a filter of the facet stream (spatial/gamma_facet.h).
+//
+// Thread rule: as FacetFilter.
+#pragma once
+
+#include "engine/surface/facet_filter.h"
+#include "spatial/gamma_facet.h"
+
+namespace stream_recon {
+
+class GammaFilter : public FacetFilter {
+ public:
+  /// \param delta_max_degrees in (0, 180]
+  GammaFilter(double delta_max_degrees, FacetSink& sink, const StopRequest& stop)
+      : FacetFilter(TriangleSource::kGamma, sink, stop), criterion_(delta_max_degrees) {}
+
+ protected:
+  bool takes(const FacetBalls& balls) const override { return criterion_.takes(balls); }
+
+ private:
+  GammaCriterion criterion_;
+};
+
+}  // namespace stream_recon

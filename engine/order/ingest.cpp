@@ -1,0 +1,66 @@
+#include "engine/order/ingest.h"
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "engine/order/stored_point.h"
+#include "engine/scratch_records.h"
+
+namespace stream_recon {
+namespace {
+
+constexpr std::size_t kBatch = 1 << 14;
+constexpr std::size_t kBlockBytes = std::size_t{1} << 19;
+// A batch of points twice, the writer, and a reader's buffer.
+constexpr std::uint64_t kMemory =
+    kBatch * (sizeof(Point3) + sizeof(StoredPoint)) + record_file_memory(kBlockBytes) + (2 << 20);
+
+bool is_float32(double x) {
+  return static_cast<double>(static_cast<float>(x)) == x;
+}
+
+/// Counts the batch into the summary and appends its finite points to `kept`.
+void take_batch(std::span<const Point3> batch, CloudSummary& summary,
+                std::vector<StoredPoint>& kept) {
+  for (const Point3& p : batch) {
+    const std::uint64_t index = summary.points++;
+    if (!is_finite(p)) {
+      ++summary.rejected;
+      continue;
+    }
+    summary.box.extend(p);
+    summary.fits_float32 =
+        summary.fits_float32 && is_float32(p.x) && is_float32(p.y) && is_float32(p.z);
+    kept.push_back({p, index});
+  }
+}
+
+}  // namespace
+
+CloudSummary ingest(const IngestOptions& options, const StageContext& context) {
+  const Reservation memory = context.budget.reserve(kMemory, "reading the input");
+  auto spool = create_records<StoredPoint>(context.scratch, kIngestSpool, kBlockBytes);
+  std::vector<Point3> batch(kBatch);
+  std::vector<StoredPoint> kept;
+  kept.reserve(kBatch);
+
+  CloudSummary summary;
+  for (const std::string& input : options.inputs) {
+    const auto source = open_point_source(input, options.format);
+    context.progress.begin_stage("ingest", source->announced_count().value_or(0), "points");
+    while (const std::size_t count = source->read(batch)) {
+      context.stop.check();
+      kept.clear();
+      take_batch({batch.data(), count}, summary, kept);
+      spool.append(kept);
+      context.progress.advance(count);
+    }
+    summary.bytes += source->bytes_read();
+    context.progress.end_stage();
+  }
+  spool.finish();
+  return summary;
+}
+
+}  // namespace stream_recon

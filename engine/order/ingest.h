@@ -1,0 +1,39 @@
+// The one pass over the input: everything the run must know before it can order the points.
+//
+// Guarantees: the spool has every finite point of all inputs in input order; the index counts on
+// from input to input and counts rejected points too. Thread rule: one thread.
+// Memory: about 5 MB whatever the input's size.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/stage_context.h"
+#include "io/point_source.h"
+#include "spatial/box.h"
+
+namespace stream_recon {
+
+struct IngestOptions {
+  std::vector<std::string> inputs;  ///< at least one, "-" for standard input
+  InputFormat format = InputFormat::kAuto;
+};
+
+struct CloudSummary {
+  std::uint64_t points = 0;    ///< as delivered, rejected ones included
+  std::uint64_t rejected = 0;  ///< not finite
+  std::uint64_t bytes = 0;     ///< of the inputs, as they lay there
+  Box3 box;                    ///< of the finite points
+  bool fits_float32 = true;    ///< every coordinate is a float32
+
+  std::uint64_t finite_points() const { return points - rejected; }
+};
+
+/// Name of the spool (records of StoredPoint) in the scratch directory.
+inline constexpr const char* kIngestSpool = "ingest";
+
+/// \throw InputError, IoError, BudgetError, Interrupted
+CloudSummary ingest(const IngestOptions& options, const StageContext& context);
+
+}  // namespace stream_recon

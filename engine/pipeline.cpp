@@ -1,0 +1,114 @@
+#include "engine/pipeline.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/alpha/alpha_filter.h"
+#include "engine/gamma/gamma_filter.h"
+#include "engine/order/hilbert_sort.h"
+#include "engine/order/ingest.h"
+#include "engine/stage_log.h"
+#include "engine/surface/assembly.h"
+#include "engine/surface/facet_sink.h"
+#include "engine/windows/tetrahedra_census.h"
+#include "engine/windows/whole_cloud_window.h"
+#include "io/surface_writer.h"
+
+namespace stream_recon {
+namespace {
+
+/// Facets that tasks have found and not yet handed to the sink, bytes.
+constexpr std::uint64_t kConsumerMemory = std::uint64_t{8} << 20;
+
+std::unique_ptr<FacetFilter> make_filter(const RunOptions& options, FacetSink& sink,
+                                         const StopRequest& stop) {
+  if (options.surface == SurfaceKind::kAlpha) {
+    return std::make_unique<AlphaFilter>(options.alpha, sink, stop);
+  }
+  return std::make_unique<GammaFilter>(options.delta_max_degrees, sink, stop);
+}
+
+class Pipeline {
+ public:
+  Pipeline(const RunOptions& options, const StageContext& context, Report& report)
+      : options_(options), context_(context), report_(report) {}
+
+  void run() {
+    const CloudSummary cloud = log_.run("ingest", [&] { return read_input(); });
+    log_.add_bytes_read(cloud.bytes);
+    const auto writer = make_writer(cloud);
+    const OrderResult order = log_.run("order", [&] { return hilbert_sort(cloud, context_); });
+    report_.input.duplicates = order.duplicates;
+    const auto facets = make_sink(order);
+    log_.run("windows", [&] { run_windows(order, facets.get()); });
+    if (facets != nullptr) {
+      log_.run("surface", [&] { build_surface(*facets, *writer); });
+      log_.run("write", [&] { writer->finish(); });
+    }
+    report_.stages = log_.stages();
+    report_.seconds = log_.seconds();
+  }
+
+ private:
+  CloudSummary read_input() {
+    const CloudSummary cloud = ingest({options_.inputs, options_.input_format}, context_);
+    report_.input.points = cloud.points;
+    report_.input.rejected = cloud.rejected;
+    return cloud;
+  }
+
+  /// Made before the work, so that a name that cannot be written is found out early.
+  std::unique_ptr<SurfaceWriter> make_writer(const CloudSummary& cloud) const {
+    if (options_.surface == SurfaceKind::kNone) return nullptr;
+    const Scalar scalar = cloud.fits_float32 ? Scalar::kFloat32 : Scalar::kFloat64;
+    return make_surface_writer({options_.output, scalar, &context_.scratch});
+  }
+
+  std::unique_ptr<FacetSink> make_sink(const OrderResult& order) const {
+    if (options_.surface == SurfaceKind::kNone) return nullptr;
+    const ChunkLayout layout{options_.chunk_points, order.point_count};
+    return std::make_unique<FacetSink>(layout, SpoolOptions{&context_.scratch, &context_.budget});
+  }
+
+  void run_windows(const OrderResult& order, FacetSink* facets) {
+    const WholeCloudWindow window(order.point_count, kConsumerMemory, context_);
+    const Reservation memory = context_.budget.reserve(kConsumerMemory, "facets on their way");
+    TetrahedraCensus census;
+    std::vector<WindowConsumer*> consumers{&census};
+    std::unique_ptr<FacetFilter> filter;
+    if (facets != nullptr) {
+      filter = make_filter(options_, *facets, context_.stop);
+      consumers.push_back(filter.get());
+    }
+    for (WindowConsumer* consumer : consumers) consumer->consume(window.view());
+    if (facets != nullptr) facets->finish();
+
+    report_.delaunay = {census.count(), census.digest().hex()};
+    report_.windows = {.count = 1, .guests = 0, .rounds = 1};
+  }
+
+  void build_surface(const FacetSink& facets, SurfaceWriter& writer) {
+    const SurfaceCounts counts = assemble_surface(facets, writer, context_);
+    report_.surface.vertices = counts.vertices;
+    report_.surface.triangles = counts.triangles;
+    report_.surface.boundary_edges = counts.boundary_edges;
+    report_.surface.nonmanifold_edges = counts.nonmanifold_edges;
+    report_.surface.euler = counts.euler();
+    report_.surface.digest = counts.digest.hex();
+  }
+
+  const RunOptions& options_;
+  const StageContext& context_;
+  Report& report_;
+  StageLog log_;
+};
+
+}  // namespace
+
+void run_pipeline(const RunOptions& options, const StageContext& context, Report& report) {
+  Pipeline(options, context, report).run();
+}
+
+}  // namespace stream_recon

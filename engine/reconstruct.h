@@ -1,0 +1,54 @@
+// The door to the whole program: points in, surface and report out.
+//
+// Guarantees: the bytes of every output depend on the input, the kind of surface with its threshold
+// and chunk_points only, not on memory_bytes or threads. Nothing stands under the output's name
+// unless the call returns. Scratch files are gone when it returns or throws.
+// Thread rule: one run at a time in a process, since memory is bounded for the process as a whole.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/budget.h"
+#include "engine/interrupt.h"
+#include "engine/progress.h"
+#include "engine/report.h"
+#include "io/error.h"
+#include "io/point_source.h"
+
+namespace stream_recon {
+
+enum class SurfaceKind { kGamma, kAlpha, kNone };
+
+struct RunOptions {
+  std::vector<std::string> inputs;  ///< files, read one after the other; "-" is standard input
+  InputFormat input_format = InputFormat::kAuto;
+
+  SurfaceKind surface = SurfaceKind::kGamma;
+  double delta_max_degrees = 90;  ///< gamma: facets below this angle, (0, 180]
+  double alpha = 0;               ///< alpha: radius > 0, units of the input
+
+  /// Ends in .pvtp, .ply or .vtk, or is "-" for PLY on standard output; not used for kNone.
+  std::string output;
+  std::uint64_t chunk_points = 250'000;  ///< points of the Hilbert order that share a chunk, >= 1
+
+  /// Bound of the resident set of the whole process, bytes; 0: half of the machine's memory.
+  std::uint64_t memory_bytes = 0;
+  unsigned threads = 0;  ///< 0: all of the machine
+  std::string scratch;   ///< existing folder; empty: beside the output
+  std::uint64_t scratch_limit_bytes = std::numeric_limits<std::uint64_t>::max();
+
+  ProgressStyle progress = ProgressStyle::kNone;
+  const StopRequest* stop = nullptr;  ///< looked at while the run lasts, if given
+};
+
+/// The least memory_bytes that any run accepts.
+inline constexpr std::uint64_t kLeastMemory = std::uint64_t{64} << 20;
+
+/// \throw std::invalid_argument the options contradict each other
+/// \throw InputError, IoError (io/error.h), BudgetError, Interrupted
+Report reconstruct(const RunOptions& options);
+
+}  // namespace stream_recon

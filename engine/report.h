@@ -1,0 +1,59 @@
+// What a run did, in numbers; the keys of its JSON are a contract with other programs
+// (docs/formats.md).
+//
+// Thread rule: a value.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stream_recon {
+
+struct StageReport {
+  std::string name;
+  double seconds = 0;
+  std::uint64_t bytes_read = 0;
+  std::uint64_t bytes_written = 0;
+};
+
+struct Report {
+  struct {
+    std::uint64_t points = 0;      ///< as delivered, duplicates and rejected ones included
+    std::uint64_t duplicates = 0;  ///< merged into a point of lower index
+    std::uint64_t rejected = 0;    ///< not finite
+  } input;
+  struct {
+    std::uint64_t tetrahedra = 0;  ///< finite ones
+    std::string digest;            ///< spatial/simplex_digest.h, 16 hex digits
+  } delaunay;
+  struct {
+    std::string kind;
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+    std::string digest;
+    std::uint64_t boundary_edges = 0;     ///< edges of one triangle
+    std::uint64_t nonmanifold_edges = 0;  ///< edges of three and more
+    std::int64_t euler = 0;               ///< vertices - edges + triangles
+  } surface;
+  struct {
+    std::uint64_t count = 0;
+    std::uint64_t guests = 0;
+    std::uint64_t rounds = 0;
+  } windows;
+  std::uint64_t peak_rss_bytes = 0;
+  std::uint64_t scratch_peak_bytes = 0;
+  double seconds = 0;
+  std::vector<StageReport> stages;
+  unsigned threads = 0;
+  std::uint64_t memory_budget_bytes = 0;
+  std::string version;
+};
+
+/// Indented JSON with a final newline.
+std::string to_json(const Report& report);
+
+/// Puts the JSON under `path`, complete or not at all; "-" is standard output. \throw IoError
+void write_report(const Report& report, const std::string& path);
+
+}  // namespace stream_recon

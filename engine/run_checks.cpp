@@ -1,0 +1,50 @@
+#include "engine/run_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+namespace stream_recon {
+namespace {
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw std::invalid_argument(message);
+}
+
+bool is_surface_path(std::string_view path) {
+  return path == "-" || path.ends_with(".pvtp") || path.ends_with(".ply") || path.ends_with(".vtk");
+}
+
+void check_output(const RunOptions& options) {
+  if (options.surface == SurfaceKind::kNone) return;
+  require(!options.output.empty(), "no output: give -o OUT.pvtp, or --surface none");
+  require(
+      is_surface_path(options.output),
+      fmt::format("-o {}: the name must end in .pvtp, .ply or .vtk, or be - for PLY on standard "
+                  "output",
+                  options.output));
+}
+
+void check_thresholds(const RunOptions& options) {
+  require(options.delta_max_degrees > 0 && options.delta_max_degrees <= 180,
+          fmt::format("--delta-max {}: give an angle above 0 and up to 180 degrees",
+                      options.delta_max_degrees));
+  const bool is_radius = options.alpha > 0 && options.alpha <= std::numeric_limits<double>::max();
+  require(options.surface != SurfaceKind::kAlpha || is_radius,
+          "--surface alpha needs --alpha R, a radius above 0 in the units of the input");
+}
+
+}  // namespace
+
+void check_options(const RunOptions& options) {
+  require(!options.inputs.empty(), "no input: name a file, or - for standard input");
+  require(std::count(options.inputs.begin(), options.inputs.end(), "-") <= 1,
+          "- is given twice, but standard input can be read once");
+  check_output(options);
+  check_thresholds(options);
+  require(options.chunk_points >= 1, "--chunk-points 0: give 1 or more");
+}
+
+}  // namespace stream_recon

@@ -1,0 +1,31 @@
+// A facet of the surface on its way from the windows to its chunk.
+//
+// Thread rule: a value. Memory: 32 bytes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "engine/windows/final_window.h"
+#include "io/surface_writer.h"
+
+namespace stream_recon {
+
+/// Which way a facet in the order of its ranks faces, where that is known.
+enum class Facing : std::int8_t { kInward = -1, kUnknown = 0, kOutward = 1 };
+
+struct FacetRecord {
+  std::array<PointRank, 3> ranks{};  ///< ascending
+  float delta = 0;                   ///< angle of the two balls, degrees
+  TriangleSource source{};
+  /// kOutward: counterclockwise when seen from outside the convex hull, of which it is a facet.
+  Facing facing = Facing::kUnknown;
+  std::array<std::uint8_t, 2> unused{};
+
+  friend bool operator<(const FacetRecord& a, const FacetRecord& b) { return a.ranks < b.ranks; }
+};
+
+static_assert(sizeof(FacetRecord) == 32 && std::is_trivially_copyable_v<FacetRecord>);
+
+}  // namespace stream_recon

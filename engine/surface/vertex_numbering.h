@@ -1,0 +1,55 @@
+// The position of each vertex in the vertex list of the whole surface: the order of first
+// appearance, chunk by chunk and by rank within a chunk.
+//
+// Guarantees: numbers are 0 .. vertex_count() - 1, each vertex has one, whichever chunks it appears
+// in; they depend on the facets and the chunk layout only.
+// Thread rule: one thread. Memory: two spools, and one chunk's facets while it is made.
+// A point of one chunk may first appear in an earlier one, so numbers travel between chunks, on
+// disk: what a chunk's neighbours must be told is found first, then the numbers are handed out.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/stage_context.h"
+#include "engine/surface/chunk_spool.h"
+#include "engine/surface/facet_sink.h"
+
+namespace stream_recon {
+
+class VertexNumbering {
+ public:
+  /// \throw IoError, BudgetError, Interrupted
+  VertexNumbering(const FacetSink& surface, const StageContext& context);
+
+  /// Numbers of the vertices of a chunk. \pre Chunks are asked for in ascending order, all of them.
+  std::vector<std::uint64_t> numbers_of(std::uint64_t chunk, std::span<const PointRank> vertices);
+
+  std::uint64_t vertex_count() const { return vertex_count_; }
+
+ private:
+  /// `chunk` uses a point that first appears where this is kept, or is told here by another.
+  struct Share {
+    PointRank rank = 0;
+    std::uint64_t chunk = 0;
+
+    friend auto operator<=>(const Share&, const Share&) = default;
+  };
+  struct Known {
+    PointRank rank = 0;
+    std::uint64_t number = 0;
+
+    friend auto operator<=>(const Known&, const Known&) = default;
+  };
+
+  void find_shares(const FacetSink& surface, ChunkSpool<Share>& shares);
+  void hand_out(const FacetSink& surface, const ChunkSpool<Share>& shares);
+
+  const StageContext& context_;
+  ChunkSpool<Known> known_;
+  std::uint64_t vertex_count_ = 0;
+  std::uint64_t next_number_ = 0;
+};
+
+}  // namespace stream_recon

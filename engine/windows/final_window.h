@@ -1,0 +1,56 @@
+// A stretch of the Hilbert curve whose stars are final, and who looks at it.
+//
+// Guarantees: every cell with an owned vertex is a cell of the Delaunay tetrahedralization of the
+// whole cloud. Windows own disjoint ranges of ranks that cover the cloud; they share nothing, so a
+// consumer must not care in which order they come. A simplex belongs to the window that owns its
+// vertex of lowest rank (windows/final_simplices.h).
+// Thread rule: a view, const access from many; it does not outlive what it looks at.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "spatial/delaunay.h"
+
+namespace stream_recon {
+
+/// Position of a point in the Hilbert order of the cloud, duplicates merged.
+using PointRank = std::uint64_t;
+
+class FinalWindow {
+ public:
+  struct Parts {
+    const Delaunay* delaunay = nullptr;  ///< the owned points first, in rank order, then guests
+    PointRank first_rank = 0;            ///< of the owned points
+    std::uint64_t owned_count = 0;
+    std::span<const PointRank> guest_ranks;        ///< of vertex owned_count, owned_count + 1, ...
+    std::span<const std::uint64_t> input_indices;  ///< of every vertex
+  };
+
+  explicit FinalWindow(const Parts& parts) : parts_(parts) {}
+
+  const Delaunay& delaunay() const { return *parts_.delaunay; }
+
+  PointRank rank(VertexId v) const {
+    return v < parts_.owned_count ? parts_.first_rank + v
+                                  : parts_.guest_ranks[v - parts_.owned_count];
+  }
+
+  std::uint64_t input_index(VertexId v) const { return parts_.input_indices[v]; }
+
+  bool owns(PointRank rank) const {
+    return rank >= parts_.first_rank && rank - parts_.first_rank < parts_.owned_count;
+  }
+
+ private:
+  Parts parts_;
+};
+
+class WindowConsumer {
+ public:
+  virtual ~WindowConsumer() = default;
+  /// Takes what the window emits; the window is dropped afterwards.
+  virtual void consume(const FinalWindow& window) = 0;
+};
+
+}  // namespace stream_recon

@@ -1,0 +1,25 @@
+// Counts the tetrahedra of the cloud and takes their digest.
+//
+// Thread rule: consume() from one thread at a time; it spreads the work itself.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/windows/final_window.h"
+#include "spatial/simplex_digest.h"
+
+namespace stream_recon {
+
+class TetrahedraCensus : public WindowConsumer {
+ public:
+  void consume(const FinalWindow& window) override;
+
+  std::uint64_t count() const { return count_; }
+  const SimplexDigest& digest() const { return digest_; }
+
+ private:
+  std::uint64_t count_ = 0;
+  SimplexDigest digest_;
+};
+
+}  // namespace stream_recon

@@ -1,0 +1,60 @@
+// The keys of the report are a contract with other programs.
+
+#include "engine/report.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/error.h"
+#include "tests/io_test_folder.h"
+
+namespace stream_recon {
+namespace {
+
+TEST(Report, HasTheKeysOfTheContract) {
+  Report report;
+  report.surface.euler = -82;
+  report.stages.push_back({"ingest", 0.5, 100, 200});
+  const auto json = nlohmann::json::parse(to_json(report));
+  for (const char* key : {"/input/points",
+                          "/input/duplicates",
+                          "/input/rejected",
+                          "/delaunay/tetrahedra",
+                          "/delaunay/digest",
+                          "/surface/kind",
+                          "/surface/vertices",
+                          "/surface/triangles",
+                          "/surface/digest",
+                          "/surface/boundary_edges",
+                          "/surface/nonmanifold_edges",
+                          "/surface/euler",
+                          "/windows/count",
+                          "/windows/guests",
+                          "/windows/rounds",
+                          "/peak_rss_bytes",
+                          "/scratch_peak_bytes",
+                          "/seconds",
+                          "/stages/0/name",
+                          "/stages/0/seconds",
+                          "/stages/0/bytes_read",
+                          "/stages/0/bytes_written",
+                          "/threads",
+                          "/memory_budget_bytes",
+                          "/version"}) {
+    EXPECT_TRUE(json.contains(nlohmann::json::json_pointer(key))) << key;
+  }
+  EXPECT_EQ(json["surface"]["euler"], -82);
+  EXPECT_EQ(json["stages"][0]["bytes_written"], 200);
+}
+
+TEST(Report, IsCompleteUnderItsNameOrNotThere) {
+  const TestFolder folder;
+  write_report({}, folder / "report.json");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"report.json"});
+  EXPECT_EQ(file_bytes(folder / "report.json"), to_json({}));
+  EXPECT_THROW(write_report({}, folder / "missing/report.json"), IoError);
+}
+
+}  // namespace
+}  // namespace stream_recon

@@ -1,0 +1,222 @@
+// From facets to chunks: counts against brute force, numbers, orientation, independence of order.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "engine/order/point_store.h"
+#include "engine/scratch_records.h"
+#include "engine/surface/assembly.h"
+#include "engine/surface/edge_uses.h"
+#include "engine/surface/orientation.h"
+#include "tests/engine_fixture.h"
+
+namespace stream_recon {
+namespace {
+
+using Ranks = std::array<PointRank, 3>;
+
+class RecordingWriter : public SurfaceWriter {
+ public:
+  void write(const SurfaceChunk& chunk) override { chunks.push_back(chunk); }
+  void finish() override {}
+  std::uint64_t bytes_written() const override { return 0; }
+
+  std::vector<SurfaceChunk> chunks;
+};
+
+/// A point whose coordinates tell its rank; its input index is ten times the rank.
+StoredPoint point_of(PointRank rank) {
+  const auto x = static_cast<double>(rank);
+  return {{x, -x, 2 * x}, 10 * rank};
+}
+
+struct Assembled {
+  SurfaceCounts counts;
+  std::vector<SurfaceChunk> chunks;
+};
+
+Assembled assemble(const std::vector<Ranks>& facets, const ChunkLayout& layout,
+                   std::uint64_t seed) {
+  StageFixture stage;
+  auto store = create_records<StoredPoint>(stage.scratch, kPointStore, kPointStoreBlock);
+  for (PointRank rank = 0; rank < layout.point_count; ++rank) store.append(point_of(rank));
+  store.finish();
+
+  FacetSink sink(layout, {&stage.scratch, &stage.budget});
+  std::vector<FacetRecord> records;
+  for (const Ranks& ranks : facets) {
+    records.push_back({ranks, static_cast<float>(ranks[0] % 90), TriangleSource::kGamma});
+  }
+  std::shuffle(records.begin(), records.end(), std::mt19937_64(seed));
+  sink.add(records);
+  sink.finish();
+  RecordingWriter writer;
+  const SurfaceCounts counts = assemble_surface(sink, writer, stage.context);
+  EXPECT_GT(stage.budget.peak(), 0U);
+  return {counts, writer.chunks};
+}
+
+std::vector<Ranks> random_facets(std::size_t count, PointRank points, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::set<Ranks> facets;
+  while (facets.size() < count) {
+    // Near neighbours mostly, as on a Hilbert curve, some far.
+    const PointRank reach = random() % 5 == 0 ? points : 6;
+    Ranks ranks;
+    ranks[0] = random() % points;
+    for (int i : {1, 2}) ranks[i] = std::min(points - 1, ranks[0] + random() % reach);
+    std::sort(ranks.begin(), ranks.end());
+    if (ranks[0] != ranks[1] && ranks[1] != ranks[2]) facets.insert(ranks);
+  }
+  return {facets.begin(), facets.end()};
+}
+
+TEST(Assembly, CountsAgreeWithBruteForceHoweverTheCloudIsChunked) {
+  const std::vector<Ranks> facets = random_facets(3000, 900, 5);
+  std::map<std::pair<PointRank, PointRank>, int> edges;
+  std::set<PointRank> vertices;
+  SimplexDigest digest;
+  for (const Ranks& f : facets) {
+    vertices.insert(f.begin(), f.end());
+    for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+      ++edges[{f[a], f[b]}];
+    }
+    digest.add<3>({10 * f[0], 10 * f[1], 10 * f[2]});
+  }
+  const auto with = [&edges](auto condition) {
+    return static_cast<std::uint64_t>(std::count_if(
+        edges.begin(), edges.end(), [&](const auto& edge) { return condition(edge.second); }));
+  };
+  for (std::uint64_t points_per_chunk : {1, 7, 100, 899, 900, 5000}) {
+    const auto [counts, chunks] = assemble(facets, {points_per_chunk, 900}, 1);
+    EXPECT_EQ(counts.triangles, facets.size()) << points_per_chunk;
+    EXPECT_EQ(counts.vertices, vertices.size()) << points_per_chunk;
+    EXPECT_EQ(counts.edges, edges.size()) << points_per_chunk;
+    EXPECT_EQ(counts.boundary_edges, with([](int uses) { return uses == 1; }));
+    EXPECT_EQ(counts.nonmanifold_edges, with([](int uses) { return uses > 2; }));
+    EXPECT_EQ(counts.digest.hex(), digest.hex());
+  }
+}
+
+TEST(Assembly, ChunksHoldTheFacetsOfTheirPointsWithBitEqualCorners) {
+  const std::vector<Ranks> facets = random_facets(2000, 500, 6);
+  const auto assembled = assemble(facets, {50, 500}, 1);
+  std::vector<Ranks> found;
+  for (const SurfaceChunk& chunk : assembled.chunks) {
+    std::set<std::uint64_t> owners;
+    for (std::size_t t = 0; t < chunk.triangles.size(); ++t) {
+      Ranks ranks;
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t v = chunk.triangles[t][i];
+        ranks[i] = chunk.global_ids[v] / 10;
+        EXPECT_EQ(chunk.points[v], point_of(ranks[i]).point);
+      }
+      std::sort(ranks.begin(), ranks.end());
+      EXPECT_EQ(chunk.delta[t], static_cast<float>(ranks[0] % 90));
+      owners.insert(ranks[0] / 50);
+      found.push_back(ranks);
+    }
+    EXPECT_EQ(owners.size(), 1U);
+  }
+  EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+  EXPECT_EQ(found, facets);
+}
+
+TEST(Assembly, NumbersVerticesInTheOrderOfFirstAppearance) {
+  for (std::uint64_t points_per_chunk : {1, 3, 40, 300}) {
+    const auto assembled = assemble(random_facets(900, 300, 8), {points_per_chunk, 300}, 1);
+    std::map<std::uint64_t, std::uint64_t> number_of;  // by global id
+    for (const SurfaceChunk& chunk : assembled.chunks) {
+      for (std::size_t v = 0; v < chunk.points.size(); ++v) {
+        const auto [at, is_new] = number_of.try_emplace(chunk.global_ids[v], number_of.size());
+        EXPECT_EQ(chunk.vertex_numbers[v], at->second)
+            << (is_new ? "new" : "known") << " vertex, chunks of " << points_per_chunk;
+      }
+    }
+    EXPECT_EQ(assembled.counts.vertices, number_of.size());
+  }
+}
+
+TEST(Assembly, DoesNotDependOnTheOrderOfTheFacets) {
+  const std::vector<Ranks> facets = random_facets(2000, 500, 9);
+  const auto one = assemble(facets, {64, 500}, 1);
+  const auto two = assemble(facets, {64, 500}, 2);
+  ASSERT_EQ(one.chunks.size(), two.chunks.size());
+  for (std::size_t c = 0; c < one.chunks.size(); ++c) {
+    EXPECT_EQ(one.chunks[c].triangles, two.chunks[c].triangles);
+    EXPECT_EQ(one.chunks[c].global_ids, two.chunks[c].global_ids);
+    EXPECT_EQ(one.chunks[c].vertex_numbers, two.chunks[c].vertex_numbers);
+  }
+}
+
+TEST(Assembly, OfNoFacetsIsNothing) {
+  const auto [counts, chunks] = assemble({}, {10, 100}, 1);
+  EXPECT_EQ(counts.vertices, 0U);
+  EXPECT_EQ(counts.euler(), 0);
+  EXPECT_TRUE(chunks.empty());
+}
+
+/// Directed edges that two triangles share in the same direction: disagreements.
+int disagreements(std::vector<LocalTriangle> triangles, const std::vector<bool>& reversed) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    auto& v = triangles[t];
+    if (reversed[t]) std::swap(v[1], v[2]);
+    for (int i = 0; i < 3; ++i) ++directed[{v[i], v[(i + 1) % 3]}];
+  }
+  return static_cast<int>(
+      std::count_if(directed.begin(), directed.end(), [](const auto& e) { return e.second > 1; }));
+}
+
+TEST(Orientation, NeighboursAgreeOnATwoSidedSurface) {
+  // A torus of 12 x 9 vertices, two triangles a square.
+  std::vector<LocalTriangle> triangles;
+  const auto vertex = [](std::uint32_t i, std::uint32_t j) { return i % 12 * 9 + j % 9; };
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    for (std::uint32_t j = 0; j < 9; ++j) {
+      triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+      triangles.push_back({vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  }
+  for (LocalTriangle& t : triangles) std::sort(t.begin(), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  const std::vector<Facing> unknown(triangles.size(), Facing::kUnknown);
+  const auto uses = sorted_edge_uses(triangles);
+  EXPECT_EQ(uses.size(), 3 * triangles.size());
+  const auto reversed = reversals(uses, unknown);
+  EXPECT_EQ(disagreements(triangles, reversed), 0);
+  EXPECT_FALSE(reversed[0]);
+}
+
+TEST(Orientation, AMoebiusStripDisagreesAndDoesNotHang) {
+  const std::uint32_t n = 9;
+  std::vector<LocalTriangle> triangles;
+  for (std::uint32_t i = 0; i < n; ++i) triangles.push_back({i, (i + 1) % n, (i + 2) % n});
+  for (LocalTriangle& t : triangles) std::sort(t.begin(), t.end());
+  const auto reversed = reversals(sorted_edge_uses(triangles),
+                                  std::vector<Facing>(triangles.size(), Facing::kUnknown));
+  EXPECT_EQ(disagreements(triangles, reversed), 1);
+}
+
+TEST(Orientation, HullFacetsTurnTheirComponentOutward) {
+  // The four faces of a tetrahedron whose vertices 0 1 2 run counterclockwise seen from 3.
+  const std::vector<LocalTriangle> triangles{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  const auto uses = sorted_edge_uses(triangles);
+  const auto facing_of_first = [&](Facing facing) {
+    return reversals(
+        uses, std::vector<Facing>{facing, Facing::kUnknown, Facing::kUnknown, Facing::kUnknown});
+  };
+  EXPECT_EQ(facing_of_first(Facing::kInward), (std::vector<bool>{true, false, true, false}));
+  EXPECT_EQ(facing_of_first(Facing::kOutward), (std::vector<bool>{false, true, false, true}));
+  EXPECT_EQ(facing_of_first(Facing::kUnknown), facing_of_first(Facing::kOutward));
+}
+
+}  // namespace
+}  // namespace stream_recon
