@@ -1,0 +1,178 @@
+// stream-recon: surfaces from huge point clouds. See README.md for the options.
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "engine/reconstruct.h"
+#include "engine/size_text.h"
+#include "engine/version.h"
+#include "tools/run_tool.h"
+
+namespace {
+
+using namespace stream_recon;
+
+enum ExitCode { kDone = 0, kNoMemory = 69, kInterrupted = 130 };
+
+/// What the command line says, beside what the engine takes as it is.
+struct CommandLine {
+  RunOptions run;
+  std::string surface = "gamma";
+  std::string report;
+  std::string tetrahedra;
+  std::string medial_axis;
+  bool resume = false;
+};
+
+void add_input_options(CLI::App& app, CommandLine& line) {
+  const std::map<std::string, InputFormat> formats{
+      {"auto", InputFormat::kAuto}, {"ply", InputFormat::kPly}, {"xyz", InputFormat::kXyz},
+      {"f32", InputFormat::kF32},   {"f64", InputFormat::kF64}, {"vtk", InputFormat::kVtk},
+      {"vtp", InputFormat::kVtp}};
+  app.add_option("INPUT", line.run.inputs,
+                 "Point files, read one after the other; - is standard input")
+      ->required();
+  app.add_option("--input-format", line.run.input_format,
+                 "auto, ply, xyz, f32, f64, vtk or vtp (default: auto)")
+      ->transform(CLI::CheckedTransformer(formats))
+      ->option_text("FORMAT");
+}
+
+void add_surface_options(CLI::App& app, CommandLine& line) {
+  app.add_option(
+         "-o,--output", line.run.output,
+         "OUT.pvtp with a folder of chunks, OUT.ply or OUT.vtk, or - for PLY on standard output")
+      ->option_text("OUT");
+  app.add_option("--surface", line.surface, "gamma (default), alpha or none")
+      ->check(CLI::IsMember({"gamma", "alpha", "none", "crust", "hybrid", "solid"}))
+      ->option_text("KIND");
+  app.add_option("--delta-max", line.run.delta_max_degrees,
+                 "gamma: take facets whose balls meet below this angle (default: 90)")
+      ->option_text("DEG");
+  app.add_option("--alpha", line.run.alpha, "alpha: radius of the ball, units of the input")
+      ->option_text("R");
+  app.add_option("--tetrahedra", line.tetrahedra, "Not yet: the tetrahedra as OUT.pvtu")
+      ->option_text("OUT");
+  app.add_option("--medial-axis", line.medial_axis, "Not yet: the medial axis as OUT.pvtp")
+      ->option_text("OUT");
+}
+
+/// An option whose value is a size in bytes.
+void add_size(CLI::App& app, const std::string& name, std::uint64_t& value,
+              const std::string& description) {
+  const auto read = [&value](const CLI::results_t& texts) {
+    const auto size = parse_size(texts.at(0));
+    value = size.value_or(0);
+    return size.has_value();
+  };
+  app.add_option(name, read, description)->option_text("SIZE");
+}
+
+void add_resource_options(CLI::App& app, CommandLine& line) {
+  add_size(
+      app, "--memory", line.run.memory_bytes,
+      "Peak resident memory of the process, e.g. 512M or 1.5G (default: half of the machine's)");
+  app.add_option("--threads", line.run.threads, "Threads (default: all of the machine)")
+      ->check(CLI::Range(1U, 4096U))
+      ->option_text("N");
+  app.add_option("--scratch", line.run.scratch,
+                 "Folder for temporary files (default: beside the output)")
+      ->option_text("DIR");
+  add_size(app, "--scratch-limit", line.run.scratch_limit_bytes,
+           "Disk that temporary files may take (default: no limit)");
+  app.add_option("--chunk-points", line.run.chunk_points,
+                 "Points that share a chunk of the output (default: 250000)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+      ->option_text("N");
+  app.add_flag("--resume", line.resume, "Not yet: go on after a kill");
+}
+
+void add_report_options(CLI::App& app, CommandLine& line) {
+  const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::kAuto},
+                                                    {"bar", ProgressStyle::kBar},
+                                                    {"json", ProgressStyle::kJson},
+                                                    {"none", ProgressStyle::kNone}};
+  line.run.progress = ProgressStyle::kAuto;
+  app.add_option("--report", line.report, "Counts, digests, memory and times, as JSON")
+      ->option_text("FILE");
+  app.add_option("--progress", line.run.progress,
+                 "auto (default: a bar on a terminal), bar, json or none; on standard error")
+      ->transform(CLI::CheckedTransformer(styles))
+      ->option_text("STYLE");
+}
+
+void refuse_what_is_not_yet(const CommandLine& line) {
+  const auto refuse = [](const std::string& what, const std::string& instead) {
+    throw std::invalid_argument(
+        fmt::format("{} is not yet in version {}; {}", what, version(), instead));
+  };
+  if (line.surface != "gamma" && line.surface != "alpha" && line.surface != "none") {
+    refuse("--surface " + line.surface, "use gamma, alpha or none");
+  }
+  if (!line.tetrahedra.empty()) refuse("--tetrahedra", "leave it out");
+  if (!line.medial_axis.empty()) refuse("--medial-axis", "leave it out");
+  if (line.resume) refuse("--resume", "leave it out and start again");
+}
+
+void check_combinations(const CLI::App& app, const CommandLine& line) {
+  const auto require = [](bool holds, const char* message) {
+    if (!holds) throw std::invalid_argument(message);
+  };
+  require(line.surface == "alpha" || app.count("--alpha") == 0,
+          "--alpha is for --surface alpha; add that or leave --alpha out");
+  require(line.surface == "gamma" || app.count("--delta-max") == 0,
+          "--delta-max is for --surface gamma; leave it out");
+  require(line.run.output != "-" || line.report != "-",
+          "-o - and --report - both want standard output; give one of them a file");
+}
+
+void reconstruct_and_report(CommandLine& line, const StopRequest& stop) {
+  const std::map<std::string, SurfaceKind> kinds{
+      {"gamma", SurfaceKind::kGamma}, {"alpha", SurfaceKind::kAlpha}, {"none", SurfaceKind::kNone}};
+  line.run.surface = kinds.at(line.surface);
+  line.run.stop = &stop;
+  if (line.run.surface == SurfaceKind::kNone && !line.run.output.empty()) {
+    spdlog::warn("--surface none makes no surface: nothing is written to {}", line.run.output);
+  }
+  const Report report = reconstruct(line.run);
+  if (!line.report.empty()) write_report(report, line.report);
+}
+
+int run(CommandLine& line) {
+  StopRequest stop;
+  const SignalWatch watch(stop);
+  try {
+    reconstruct_and_report(line, stop);
+    return kDone;
+  } catch (const BudgetError& e) {
+    spdlog::error("{}", e.what());
+    return kNoMemory;
+  } catch (const Interrupted&) {
+    spdlog::error("interrupted: nothing was kept; start again");
+    return kInterrupted;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Surfaces from huge point clouds, exactly and in a fixed memory budget",
+               "stream-recon");
+  app.set_version_flag("--version", fmt::format("stream-recon {}", version()));
+  CommandLine line;
+  add_input_options(app, line);
+  add_surface_options(app, line);
+  add_resource_options(app, line);
+  add_report_options(app, line);
+  int code = kDone;
+  const int tool_code = run_tool(app, argc, argv, [&] {
+    refuse_what_is_not_yet(line);
+    check_combinations(app, line);
+    code = run(line);
+  });
+  return tool_code != kDone ? tool_code : code;
+}
