@@ -29,5 +29,7 @@ done
 cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$prefix" >"$work/configure.log"
 cmake --build "$work/build"
-"$work/build/outside"
-"$prefix/bin/stream-recon" --version
+"$prefix/bin/make-cloud" folded -n 20000 -o "$work/cloud.ply"
+"$work/build/outside" "$work/cloud.ply" "$work/outside.pvtp"
+"$prefix/bin/stream-recon" "$work/cloud.ply" -o "$work/installed.pvtp"
+cmp "$work/outside.pvtp" "$work/installed.pvtp" || diff -r "$work/outside" "$work/installed"

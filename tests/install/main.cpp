@@ -1,9 +1,11 @@
-#include <cstdio>
+#include <engine/reconstruct.h>
 
-#include "io/point_source.h"
-#include "spatial/simplex_digest.h"
+#include <iostream>
 
-int main() {
-  stream_recon::SimplexDigest digest;
-  std::printf("%s\n", digest.hex().c_str());
+int main(int, char** arguments) {
+  stream_recon::RunOptions options;
+  options.inputs = {arguments[1]};
+  options.output = arguments[2];
+  const stream_recon::Report report = stream_recon::reconstruct(options);
+  std::cout << report.surface.triangles << " triangles\n";
 }
