@@ -1,5 +1,5 @@
-# What every target is compiled with. Fused multiply-add would break the exactness of
-# expansion arithmetic, so contraction is off for the whole program.
+# What every target is compiled with. Fused multiply-add would make results depend on the processor,
+# so contraction is off for the whole program.
 add_library(stream_recon_flags INTERFACE)
 target_compile_options(stream_recon_flags INTERFACE
   -ffp-contract=off -Wall -Wextra -Wshadow -Wnon-virtual-dtor)

@@ -18,10 +18,9 @@
 namespace stream_recon {
 
 struct CoordinateRange {
-  /// Of degree 5 are the predicates; with a unit of at least 2^-200 no product of five loses bits
-  /// to underflow (5 * -200 - 53 >= -1074, the error bounds of the filter included), and with
-  /// coordinates below 2^190 none overflows (5 * 190 + 7 bits of sums + 28 bits for splitting a
-  /// double in two < 1023).
+  /// The predicates are of degree 5. With a unit of at least 2^-200 no product of five in their
+  /// filters loses bits to underflow (5 * -200 - 53 >= -1074, the error bounds included), and with
+  /// coordinates below 2^190 none overflows (5 * 190 + 8 bits of sums < 1023).
   static constexpr int kLeastUnit = -200;
   static constexpr int kMostMagnitude = 190;
 

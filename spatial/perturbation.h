@@ -56,10 +56,10 @@ inline int decide_lattice_tie(const Point3& a, const Point3& b, const Point3& c,
     largest_position = decides ? position : largest_position;
     coefficient = decides ? orientation : coefficient;
   };
-  consider(a, detail::determinant3<double>(b, c, d));
-  consider(b, -detail::determinant3<double>(a, c, d));
-  consider(c, detail::determinant3<double>(a, b, d));
-  consider(d, -detail::determinant3<double>(a, b, c));
+  consider(a, detail::determinant3(b, c, d));
+  consider(b, -detail::determinant3(a, c, d));
+  consider(c, detail::determinant3(a, b, d));
+  consider(d, -detail::determinant3(a, b, c));
   return coefficient > 0 ? 1 : -1;
 }
 

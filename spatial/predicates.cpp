@@ -9,7 +9,7 @@ namespace stream_recon {
 namespace {
 
 // Largest differences, in units of the lattice, for which every intermediate result of the
-// determinants in doubles is an integer of at most 2^53; compare predicates_integer.cpp.
+// determinants in doubles is an integer of at most 2^53; compare predicates_exact.cpp.
 constexpr double kOrientXyLimit = 0x1p26;     // 2 M^2
 constexpr double kDeterminantLimit = 114503;  // 6 M^3
 constexpr double kInCircleLimit = 4729;       // 18 M^4
@@ -33,7 +33,7 @@ Estimate estimate_power_test(const std::array<WeightedPoint3, 5>& sites) {
   double top = 0;
   for (int i = 0; i < 4; ++i) {
     row[i] = difference(sites[i].point, sites[4].point);
-    const double square = detail::squared_length<double>(row[i]);
+    const double square = detail::squared_length(row[i]);
     const double weight = sites[4].weight - sites[i].weight;
     lift[i] = square + weight;
     top = std::max(top, square + std::fabs(weight));
@@ -54,7 +54,7 @@ Estimate estimate_power_circle_xy(const std::array<WeightedPoint3, 4>& sites) {
   double top = 0;
   for (int i = 0; i < 3; ++i) {
     row[i] = difference(sites[i].point, sites[3].point);
-    const double square = detail::squared_length<double>(row[i]);
+    const double square = detail::squared_length(row[i]);
     const double weight = sites[3].weight - sites[i].weight;
     lift[i] = square + weight;
     top = std::max(top, square + std::fabs(weight));
@@ -62,8 +62,9 @@ Estimate estimate_power_circle_xy(const std::array<WeightedPoint3, 4>& sites) {
   const auto& [a, b, c] = row;
   const double x = detail::largest(a.x, b.x, c.x);
   const double y = detail::largest(a.y, b.y, c.y);
-  return {detail::lifted_determinant_xy<double>(a, b, c, {lift[0], lift[1], lift[2], 0}),
-          81 * detail::kRoundoff * (x * y * top), std::max(x, y)};
+  return {
+      detail::lifted_determinant_xy(a, b, c, detail::Lifts<double>{lift[0], lift[1], lift[2], 0}),
+      81 * detail::kRoundoff * (x * y * top), std::max(x, y)};
 }
 
 }  // namespace
@@ -71,7 +72,6 @@ Estimate estimate_power_circle_xy(const std::array<WeightedPoint3, 4>& sites) {
 Predicates::Predicates(const CoordinateRange& range) {
   assert(range.is_safe());
   const double unit = range.empty() ? 0 : std::ldexp(1.0, range.unit_exponent);
-  inverse_unit_ = 1 / unit;
   orient_xy_reach_ = unit * kOrientXyLimit;
   determinant_reach_ = unit * kDeterminantLimit;
   in_circle_reach_ = unit * kInCircleLimit;
@@ -80,17 +80,12 @@ Predicates::Predicates(const CoordinateRange& range) {
 
 int Predicates::orient3d_exact(const Point3& a, const Point3& b, const Point3& c,
                                const Point3& d) const {
-  const auto integer = detail::integer_determinant_sign(
-      {difference(b, a), difference(c, a), difference(d, a)}, inverse_unit_);
-  return integer.decided ? integer.sign : detail::exact_orient3d(a, b, c, d);
+  return detail::exact_orient3d(a, b, c, d);
 }
 
 int Predicates::in_sphere_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                 const Point3& e) const {
-  const auto integer = detail::integer_in_sphere_sign(
-      {difference(a, e), difference(b, e), difference(c, e), difference(d, e)}, inverse_unit_);
-  if (integer.decided) return integer.sign;
-  return detail::exact_power_test({{{a, 0}, {b, 0}, {c, 0}, {d, 0}, {e, 0}}});
+  return detail::exact_in_sphere({a, b, c, d, e});
 }
 
 int Predicates::in_sphere_perturbed_exact(const Point3& a, const Point3& b, const Point3& c,
@@ -116,12 +111,10 @@ int Predicates::coplanar_orientation(const Point3& a, const Point3& b, const Poi
 // Relative to the orientation of a, b, c in x and y.
 int Predicates::in_circle_xy(const Point3& a, const Point3& b, const Point3& c,
                              const Point3& d) const {
-  const std::array<Point3, 3> rows{difference(a, d), difference(b, d), difference(c, d)};
-  const Estimate estimate = estimate_in_circle_xy(rows[0], rows[1], rows[2]);
+  const Estimate estimate =
+      estimate_in_circle_xy(difference(a, d), difference(b, d), difference(c, d));
   if (estimate.is_certain() || estimate.reach <= in_circle_reach_) return estimate.sign();
-  const auto integer = detail::integer_in_circle_xy_sign(rows, inverse_unit_);
-  if (integer.decided) return integer.sign;
-  return detail::exact_power_circle_xy({{{a, 0}, {b, 0}, {c, 0}, {d, 0}}});
+  return detail::exact_in_circle_xy({a, b, c, d});
 }
 
 int Predicates::in_circle(const Point3& a, const Point3& b, const Point3& c,

@@ -4,9 +4,9 @@
 // safe range of CoordinateRange. The perturbed tests are never 0 and depend on the points alone.
 // A ladder of rungs: a determinant in doubles with an error bound (predicates_filter.h); where the
 // cloud lies on a lattice of spacing 2^k and the points are close together, the same determinant
-// is known to be exact, zeros included; integers of 128 bits; expansions (predicates_exact.h).
+// is known to be exact, zeros included; wide integers (predicates_exact.h).
 // Thread rule: const and shared. Cost: 10 to 20 ns, on a lattice too.
-// Sources: Shewchuk 1997; Melquiond, Pion 2007; Devillers, Teillaud 2011.
+// Sources: Melquiond, Pion 2007; Devillers, Teillaud 2011.
 #pragma once
 
 #include "spatial/coordinate_range.h"
@@ -100,7 +100,6 @@ class Predicates {
   int decide_circle_tie(const Point3& a, const Point3& b, const Point3& c,
                         const Point3& query) const;
 
-  double inverse_unit_;
   // Differences up to these make the determinants of doubles exact; 0 without a lattice.
   double orient_xy_reach_;
   double determinant_reach_;

@@ -1,94 +1,133 @@
-// The determinants in expansions, over the coordinates themselves. Where all differences to one
-// point are exact (always for points that are close together or of few bits) the points are moved
-// there first: then most components vanish.
+// How wide is wide enough: with L limbs a coordinate, as a multiple of the least unit among the
+// points asked about, is below 2^(64 L - 3), so that a difference M is below 2^(64 L - 2). Then all
+// intermediate results fit the limbs that determinants.h gives them:
+//   cross_xy       2 M^2 < 2^(128 L - 3)
+//   determinant3   6 M^3 < 2^(192 L - 3)
+//   lift           3 M^2 + 2 weights of at most 2^(128 L - 6) each < 2^(128 L - 2)
+//   lifted         4 * lift * 6 M^3 < 2^(320 L - 3); in the plane 3 * lift * 2 M^2 < 2^(256 L - 3)
 #include "spatial/predicates_exact.h"
 
-#include "spatial/expansion.h"
+#include <cassert>
+
+#include "spatial/coordinate_range.h"
+#include "spatial/determinants.h"
+#include "spatial/wide_integer.h"
 
 namespace stream_recon::detail {
 namespace {
 
-// x_a y_b - y_a x_b.
-Expansion<4> cross_xy(const Point3& a, const Point3& b) {
-  const Expansion<2> left = Expansion<1>(a.x) * b.y;
-  const Expansion<2> right = Expansion<1>(a.y) * b.x;
-  return left - right;
-}
+template <int kLimbs>
+struct Row {
+  WideInteger<kLimbs> x;
+  WideInteger<kLimbs> y;
+  WideInteger<kLimbs> z;
+};
 
-// |a b c|.
-Expansion<24> volume(const Point3& a, const Point3& b, const Point3& c) {
-  return cross_xy(b, c) * a.z - cross_xy(a, c) * b.z + cross_xy(a, b) * c.z;
-}
+// Differences of points in units, in `kLimbs` limbs a coordinate.
+template <int kLimbs>
+class Integers {
+ public:
+  explicit Integers(double per_unit) : per_unit_(per_unit) {}
 
-// |b - a, c - a| in x and y, and |b - a, c - a, d - a|, both as |1 a; 1 b; ...|.
-Expansion<12> orientation_xy(const Point3& a, const Point3& b, const Point3& c) {
-  return cross_xy(b, c) - cross_xy(a, c) + cross_xy(a, b);
-}
-Expansion<96> orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  return (volume(b, c, d) - volume(a, c, d)) + (volume(a, b, d) - volume(a, b, c));
-}
-
-Expansion<2> square(double a) {
-  return Expansion<1>(a) * a;
-}
-
-// |p|^2 - w.
-Expansion<7> lift(const WeightedPoint3& p) {
-  return square(p.point.x) + square(p.point.y) + square(p.point.z) - Expansion<1>(p.weight);
-}
-
-bool subtract(double& a, double b) {
-  const DoublePair difference = two_sum(a, -b);
-  a = difference.high;
-  return difference.low == 0;
-}
-
-// Moves the origin to the last site if that rounds nothing.
-template <std::size_t kSites>
-std::array<WeightedPoint3, kSites> move_to_last(const std::array<WeightedPoint3, kSites>& sites) {
-  std::array<WeightedPoint3, kSites> moved = sites;
-  const Point3 origin = sites.back().point;
-  for (auto& [point, weight] : moved) {
-    if (!subtract(point.x, origin.x) || !subtract(point.y, origin.y) ||
-        !subtract(point.z, origin.z)) {
-      return sites;
-    }
+  Row<kLimbs> difference(const Point3& a, const Point3& b) const {
+    return {of(a.x) - of(b.x), of(a.y) - of(b.y), of(a.z) - of(b.z)};
   }
-  return moved;
+  WideInteger<2 * kLimbs> weight(const WeightedPoint3& p) const {
+    return WideInteger<2 * kLimbs>::of(p.weight * per_unit_ * per_unit_);
+  }
+
+ private:
+  WideInteger<kLimbs> of(double coordinate) const {
+    return WideInteger<kLimbs>::of(coordinate * per_unit_);
+  }
+
+  double per_unit_;
+};
+
+// Calls compute(Integers) with as many limbs as the range of the points needs.
+template <class Compute>
+int with_enough_limbs(const CoordinateRange& range, const Compute& compute) {
+  constexpr int kMostLimbs = 7;
+  static_assert(CoordinateRange::kMostMagnitude - CoordinateRange::kLeastUnit <=
+                64 * kMostLimbs - 3);
+  assert(range.is_safe());
+  if (range.empty()) return 0;
+  const double per_unit = std::ldexp(1.0, -range.unit_exponent);
+  const int places = range.magnitude_exponent - range.unit_exponent;
+  if (places <= 64 - 3) return compute(Integers<1>(per_unit));
+  if (places <= 128 - 3) return compute(Integers<2>(per_unit));
+  return compute(Integers<kMostLimbs>(per_unit));
+}
+
+template <class... Points>
+CoordinateRange range_of(const Points&... points) {
+  CoordinateRange range;
+  (range.extend(points), ...);
+  return range;
 }
 
 }  // namespace
 
 int exact_orient_xy(const Point3& a, const Point3& b, const Point3& c) {
-  return orientation_xy(a, b, c).sign();
+  return with_enough_limbs(range_of(a, b, c), [&](const auto& integers) {
+    return cross_xy(integers.difference(b, a), integers.difference(c, a)).sign();
+  });
 }
 
 int exact_orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  const auto moved = move_to_last<4>({{{a, 0}, {b, 0}, {c, 0}, {d, 0}}});
-  return orientation(moved[0].point, moved[1].point, moved[2].point, moved[3].point).sign();
+  return with_enough_limbs(range_of(a, b, c, d), [&](const auto& integers) {
+    return determinant3(integers.difference(b, a), integers.difference(c, a),
+                        integers.difference(d, a))
+        .sign();
+  });
 }
 
-// Expanded along the column of the lifts: the cofactor of a corner is the orientation with the
-// query in its place, that of the query is minus the orientation of the corners.
-int exact_power_test(const std::array<WeightedPoint3, 5>& sites) {
-  const auto moved = move_to_last(sites);
-  const auto& [a, b, c, d, e] = moved;
-  const auto left = orientation(e.point, b.point, c.point, d.point) * lift(a) +
-                    orientation(a.point, e.point, c.point, d.point) * lift(b);
-  const auto right = orientation(a.point, b.point, e.point, d.point) * lift(c) +
-                     orientation(a.point, b.point, c.point, e.point) * lift(d);
-  const auto query = orientation(a.point, b.point, c.point, d.point) * lift(e);
-  return (left + right - query).sign();
+int exact_in_sphere(const std::array<Point3, 5>& p) {
+  return with_enough_limbs(range_of(p[0], p[1], p[2], p[3], p[4]), [&](const auto& integers) {
+    const auto a = integers.difference(p[0], p[4]);
+    const auto b = integers.difference(p[1], p[4]);
+    const auto c = integers.difference(p[2], p[4]);
+    const auto d = integers.difference(p[3], p[4]);
+    const Lifts lift{squared_length(a), squared_length(b), squared_length(c), squared_length(d)};
+    return lifted_determinant(a, b, c, d, lift).sign();
+  });
 }
 
-int exact_power_circle_xy(const std::array<WeightedPoint3, 4>& sites) {
-  const auto moved = move_to_last(sites);
-  const auto& [a, b, c, d] = moved;
-  const auto left = orientation_xy(d.point, b.point, c.point) * lift(a) +
-                    orientation_xy(a.point, d.point, c.point) * lift(b);
-  const auto right = orientation_xy(a.point, b.point, d.point) * lift(c) -
-                     orientation_xy(a.point, b.point, c.point) * lift(d);
-  return (left + right).sign();
+int exact_in_circle_xy(const std::array<Point3, 4>& p) {
+  return with_enough_limbs(range_of(p[0], p[1], p[2], p[3]), [&](const auto& integers) {
+    const auto a = integers.difference(p[0], p[3]);
+    const auto b = integers.difference(p[1], p[3]);
+    const auto c = integers.difference(p[2], p[3]);
+    const Lifts lift{squared_length(a), squared_length(b), squared_length(c), {}};
+    return lifted_determinant_xy(a, b, c, lift).sign();
+  });
+}
+
+int exact_power_test(const std::array<WeightedPoint3, 5>& s) {
+  return with_enough_limbs(range_of(s[0], s[1], s[2], s[3], s[4]), [&](const auto& integers) {
+    const auto a = integers.difference(s[0].point, s[4].point);
+    const auto b = integers.difference(s[1].point, s[4].point);
+    const auto c = integers.difference(s[2].point, s[4].point);
+    const auto d = integers.difference(s[3].point, s[4].point);
+    const auto lift_of = [&](const auto& row, const WeightedPoint3& site) {
+      return squared_length(row) + (integers.weight(s[4]) - integers.weight(site));
+    };
+    const Lifts lift{lift_of(a, s[0]), lift_of(b, s[1]), lift_of(c, s[2]), lift_of(d, s[3])};
+    return lifted_determinant(a, b, c, d, lift).sign();
+  });
+}
+
+int exact_power_circle_xy(const std::array<WeightedPoint3, 4>& s) {
+  return with_enough_limbs(range_of(s[0], s[1], s[2], s[3]), [&](const auto& integers) {
+    const auto a = integers.difference(s[0].point, s[3].point);
+    const auto b = integers.difference(s[1].point, s[3].point);
+    const auto c = integers.difference(s[2].point, s[3].point);
+    const auto lift_of = [&](const auto& row, const WeightedPoint3& site) {
+      return squared_length(row) + (integers.weight(s[3]) - integers.weight(site));
+    };
+    const Lifts lift{lift_of(a, s[0]), lift_of(b, s[1]), lift_of(c, s[2]), {}};
+    return lifted_determinant_xy(a, b, c, lift).sign();
+  });
 }
 
 }  // namespace stream_recon::detail

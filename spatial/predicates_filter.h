@@ -58,7 +58,7 @@ inline double largest(double a, double b, double c, double d) {
 inline Estimate estimate_determinant_xy(const Point3& a, const Point3& b) {
   const double x = std::max(std::fabs(a.x), std::fabs(b.x));
   const double y = std::max(std::fabs(a.y), std::fabs(b.y));
-  return {detail::cross_xy<double>(a, b), 9 * detail::kRoundoff * (x * y), std::max(x, y)};
+  return {detail::cross_xy(a, b), 9 * detail::kRoundoff * (x * y), std::max(x, y)};
 }
 
 /// |a b c|. 6 products, each with 3 differences, 2 products, 3 sums: 6 * 8 u.
@@ -66,7 +66,7 @@ inline Estimate estimate_determinant(const Point3& a, const Point3& b, const Poi
   const double x = detail::largest(a.x, b.x, c.x);
   const double y = detail::largest(a.y, b.y, c.y);
   const double z = detail::largest(a.z, b.z, c.z);
-  return {detail::determinant3<double>(a, b, c), 49 * detail::kRoundoff * (x * y * z),
+  return {detail::determinant3(a, b, c), 49 * detail::kRoundoff * (x * y * z),
           std::max(std::max(x, y), z)};
 }
 
@@ -74,9 +74,8 @@ inline Estimate estimate_determinant(const Point3& a, const Point3& b, const Poi
 /// 24 products with the lift: 3 + 2 differences, 2 + 1 + 1 products, 3 + 2 + 2 sums: 24 * 16 u.
 inline Estimate estimate_in_sphere(const Point3& a, const Point3& b, const Point3& c,
                                    const Point3& d) {
-  const detail::Lifts<double> lift{
-      detail::squared_length<double>(a), detail::squared_length<double>(b),
-      detail::squared_length<double>(c), detail::squared_length<double>(d)};
+  const detail::Lifts<double> lift{detail::squared_length(a), detail::squared_length(b),
+                                   detail::squared_length(c), detail::squared_length(d)};
   const double x = detail::largest(a.x, b.x, c.x, d.x);
   const double y = detail::largest(a.y, b.y, c.y, d.y);
   const double z = detail::largest(a.z, b.z, c.z, d.z);
@@ -89,9 +88,8 @@ inline Estimate estimate_in_sphere(const Point3& a, const Point3& b, const Point
 /// counterclockwise seen in x and y. 6 products: 2 + 2 differences, 1 + 1 + 1 products,
 /// 1 + 2 + 2 sums: 6 * 12 u.
 inline Estimate estimate_in_circle_xy(const Point3& a, const Point3& b, const Point3& c) {
-  const detail::Lifts<double> lift{detail::squared_length<double>(a),
-                                   detail::squared_length<double>(b),
-                                   detail::squared_length<double>(c), 0};
+  const detail::Lifts<double> lift{detail::squared_length(a), detail::squared_length(b),
+                                   detail::squared_length(c), 0};
   const double x = detail::largest(a.x, b.x, c.x);
   const double y = detail::largest(a.y, b.y, c.y);
   const double z = detail::largest(a.z, b.z, c.z);

@@ -87,32 +87,28 @@ TEST(Predicates, filter_is_never_certain_of_a_wrong_sign) {
   });
 }
 
-TEST(Predicates, integers_and_expansions_agree_with_the_reference_wherever_they_apply) {
-  int integers_decided = 0;
+TEST(Predicates, last_rung_is_exact_on_its_own) {
   for_all_families([&](const Points5& p, auto&) {
-    CoordinateRange range;
-    for (const Point3& q : p) range.extend(q);
-    const double inverse_unit = range.empty() ? 1 : std::ldexp(1.0, -range.unit_exponent);
-    const int expected = reference::in_sphere(p[0], p[1], p[2], p[3], p[4]);
-    const auto integer =
-        detail::integer_in_sphere_sign({difference(p[0], p[4]), difference(p[1], p[4]),
-                                        difference(p[2], p[4]), difference(p[3], p[4])},
-                                       inverse_unit);
-    integers_decided += integer.decided;
-    if (integer.decided) {
-      EXPECT_EQ(integer.sign, expected);
-    }
+    EXPECT_EQ(detail::exact_in_sphere(p), reference::in_sphere(p[0], p[1], p[2], p[3], p[4]));
     EXPECT_EQ(detail::exact_power_test({{{p[0], 0}, {p[1], 0}, {p[2], 0}, {p[3], 0}, {p[4], 0}}}),
-              expected);
-    const int orientation = reference::orient3d(p[0], p[1], p[2], p[3]);
-    const auto volume = detail::integer_determinant_sign(
-        {difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0])}, inverse_unit);
-    if (volume.decided) {
-      EXPECT_EQ(volume.sign, orientation);
-    }
-    EXPECT_EQ(detail::exact_orient3d(p[0], p[1], p[2], p[3]), orientation);
+              detail::exact_in_sphere(p));
+    EXPECT_EQ(detail::exact_orient3d(p[0], p[1], p[2], p[3]),
+              reference::orient3d(p[0], p[1], p[2], p[3]));
   });
-  EXPECT_GT(integers_decided, kRounds);
+}
+
+TEST(Predicates, lattice_rung_is_exact_up_to_its_reach) {
+  const std::uint64_t seed = 6;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  for (int round = 0; round < 20 * kRounds; ++round) {
+    Points5 p;
+    // The first point at the origin, so that differences are at most 655.
+    for (int i = 0; i < 4; ++i) p[i] = families::lattice_point(random, 655, 1);
+    p[4] = {};
+    const Estimate estimate = estimate_in_sphere(p[0], p[1], p[2], p[3]);
+    ASSERT_EQ(estimate.sign(), reference::in_sphere(p[0], p[1], p[2], p[3], p[4]));
+  }
 }
 
 TEST(Predicates, differences_rounded_to_two_to_the_53_units_are_not_taken_for_exact) {
