@@ -16,15 +16,16 @@ inline std::vector<SurfaceChunk> make_surface(std::size_t chunks, std::size_t tr
                                               Scalar scalar, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> coordinate(-1e3, 1e3);
+  std::uniform_real_distribution<float> coordinate32(-1e3F, 1e3F);
   const std::size_t point_count = chunks * triangles / 2 + 3;
   std::vector<Point3> points(point_count);
   std::vector<std::uint64_t> ids(point_count);
   for (std::size_t i = 0; i < point_count; ++i) {
-    points[i] = {coordinate(random), coordinate(random), coordinate(random)};
-    if (scalar == Scalar::kFloat32) {
-      points[i] = {static_cast<float>(points[i].x), static_cast<float>(points[i].y),
-                   static_cast<float>(points[i].z)};
-    }
+    // Drawn as floats, not rounded to them: GCC 12 (-O2) drops the double -> float -> double of a
+    // pair it stores as a vector.
+    points[i] = scalar == Scalar::kFloat32
+                    ? Point3{coordinate32(random), coordinate32(random), coordinate32(random)}
+                    : Point3{coordinate(random), coordinate(random), coordinate(random)};
     ids[i] = (random() >> 20) * point_count + i;
   }
   std::vector<SurfaceChunk> surface(chunks);
