@@ -13,8 +13,9 @@
 namespace stream_recon {
 namespace {
 
-// A facet's record, ranks, edges, and its share of the chunk and of the writer's copy of it.
-constexpr std::uint64_t kBytesATriangle = 200;
+// A facet's record, local triangle, three edges, and its share of the vertices and of the chunk;
+// when the chunk is written, the writer's copies take the place of all but the chunk.
+constexpr std::uint64_t kBytesATriangle = 140;
 
 class SurfaceAssembly {
  public:
@@ -45,13 +46,23 @@ class SurfaceAssembly {
     const std::uint64_t border_edges = surface_.border_edges().count(chunk);
     const Reservation memory = context_.budget.reserve(
         count * kBytesATriangle + border_edges * sizeof(BorderEdge),
-        "assembling a chunk of the surface; a smaller --chunk-points needs less");
+        "assembling a chunk of the surface (a smaller --chunk-points needs less)");
+    const SurfaceChunk result = make_chunk(chunk);
+    if (count == 0) return;
+    writer_.write(result);
+    context_.progress.advance(count);
+  }
+
+  /// Counts the chunk's edges on the way; what it needed besides the result is gone on return.
+  SurfaceChunk make_chunk(std::uint64_t chunk) {
     const ChunkFacets facets(surface_.facets().records(chunk));
     const auto uses = sorted_edge_uses(facets.triangles);
     take_census(chunk, facets, uses);
-    if (count == 0) return;
-    writer_.write(make_chunk(chunk, facets, uses));
-    context_.progress.advance(count);
+    SurfaceChunk result;
+    result.vertex_numbers = numbering_.numbers_of(chunk, facets.vertices);
+    gather_points(facets.vertices, result);
+    add_triangles(facets, uses, result);
+    return result;
   }
 
   void take_census(std::uint64_t chunk, const ChunkFacets& facets,
@@ -63,15 +74,6 @@ class SurfaceAssembly {
                  .handed_over = handed_over,
                  .end = (chunk + 1) * surface_.layout().points_per_chunk});
     counts_.triangles += facets.triangles.size();
-  }
-
-  SurfaceChunk make_chunk(std::uint64_t chunk, const ChunkFacets& facets,
-                          const std::vector<EdgeUse>& uses) {
-    SurfaceChunk result;
-    result.vertex_numbers = numbering_.numbers_of(chunk, facets.vertices);
-    gather_points(facets.vertices, result);
-    add_triangles(facets, uses, result);
-    return result;
   }
 
   void gather_points(const std::vector<PointRank>& ranks, SurfaceChunk& result) {
@@ -93,6 +95,8 @@ class SurfaceAssembly {
     const std::vector<bool> reversed = reversals(uses, facing);
 
     result.triangles.reserve(facets.facets.size());
+    result.delta.reserve(facets.facets.size());
+    result.source.reserve(facets.facets.size());
     for (std::size_t t = 0; t < facets.facets.size(); ++t) {
       LocalTriangle v = facets.triangles[t];
       counts_.digest.add<3>(

@@ -3,7 +3,7 @@
 // Guarantees: the chunks handed to the writer are functions of the facets and the chunk layout,
 // not of the order in which the facets came. Counts are those of the whole surface. Chunks without
 // triangles are not written.
-// Thread rule: one caller; sorts on all threads. Memory: one chunk, about 200 bytes a triangle.
+// Thread rule: one caller; sorts on all threads. Memory: one chunk, about 140 bytes a triangle.
 #pragma once
 
 #include <cstdint>

@@ -57,7 +57,7 @@ void VertexNumbering::hand_out(const FacetSink& surface, const ChunkSpool<Share>
     const Reservation memory = context_.budget.reserve(
         facets * (sizeof(FacetRecord) + 3 * sizeof(PointRank)) +
             shares.count(chunk) * sizeof(Share),
-        "numbering the vertices of a chunk; a smaller --chunk-points needs less");
+        "numbering the vertices of a chunk (a smaller --chunk-points needs less)");
     const auto chunk_shares = sorted_distinct(shares.records(chunk));
     auto share = chunk_shares.begin();
     for (const PointRank rank : vertex_ranks(surface.facets().records(chunk))) {
