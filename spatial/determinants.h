@@ -30,8 +30,12 @@ struct Lifts {
   Number a;
   Number b;
   Number c;
-  Number d;
+  Number d{};  // not used in the plane
 };
+template <class Number>
+Lifts(Number, Number, Number, Number) -> Lifts<Number>;
+template <class Number>
+Lifts(Number, Number, Number) -> Lifts<Number>;
 
 /// lift(a) |b c d| - lift(b) |a c d| + lift(c) |a b d| - lift(d) |a b c|.
 template <class Row, class Lift>

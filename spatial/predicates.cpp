@@ -62,9 +62,8 @@ Estimate estimate_power_circle_xy(const std::array<WeightedPoint3, 4>& sites) {
   const auto& [a, b, c] = row;
   const double x = detail::largest(a.x, b.x, c.x);
   const double y = detail::largest(a.y, b.y, c.y);
-  return {
-      detail::lifted_determinant_xy(a, b, c, detail::Lifts<double>{lift[0], lift[1], lift[2], 0}),
-      81 * detail::kRoundoff * (x * y * top), std::max(x, y)};
+  return {detail::lifted_determinant_xy(a, b, c, detail::Lifts<double>{lift[0], lift[1], lift[2]}),
+          81 * detail::kRoundoff * (x * y * top), std::max(x, y)};
 }
 
 }  // namespace

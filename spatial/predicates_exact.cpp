@@ -98,7 +98,7 @@ int exact_in_circle_xy(const std::array<Point3, 4>& p) {
     const auto a = integers.difference(p[0], p[3]);
     const auto b = integers.difference(p[1], p[3]);
     const auto c = integers.difference(p[2], p[3]);
-    const Lifts lift{squared_length(a), squared_length(b), squared_length(c), {}};
+    const Lifts lift{squared_length(a), squared_length(b), squared_length(c)};
     return lifted_determinant_xy(a, b, c, lift).sign();
   });
 }
@@ -125,7 +125,7 @@ int exact_power_circle_xy(const std::array<WeightedPoint3, 4>& s) {
     const auto lift_of = [&](const auto& row, const WeightedPoint3& site) {
       return squared_length(row) + (integers.weight(s[3]) - integers.weight(site));
     };
-    const Lifts lift{lift_of(a, s[0]), lift_of(b, s[1]), lift_of(c, s[2]), {}};
+    const Lifts lift{lift_of(a, s[0]), lift_of(b, s[1]), lift_of(c, s[2])};
     return lifted_determinant_xy(a, b, c, lift).sign();
   });
 }
