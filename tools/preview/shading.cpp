@@ -84,12 +84,13 @@ class Painter {
 
   Picture paint() const {
     Picture picture(cells_.width(), cells_.height());
-    for (std::size_t y = 0; y < cells_.height(); ++y)
+    for (std::size_t y = 0; y < cells_.height(); ++y) {
       for (std::size_t x = 0; x < cells_.width(); ++x) {
         const Color mean = 0.25F * sum_of_samples(x, y);
         picture.at(x, cells_.height() - 1 - y) = {to_byte(mean.r), to_byte(mean.g),
                                                   to_byte(mean.b)};
       }
+    }
     return picture;
   }
 
@@ -99,7 +100,7 @@ class Painter {
     const float height = (static_cast<float>(y) + 0.5F) / static_cast<float>(cells_.height());
     const float openness = visibility_[at] * visibility_[at];
     Color sum;
-    for (const std::size_t sy : {2 * y, 2 * y + 1})
+    for (const std::size_t sy : {2 * y, 2 * y + 1}) {
       for (const std::size_t sx : {2 * x, 2 * x + 1}) {
         const float depth = buffer_.depth(sx, sy);
         if (depth == DepthBuffer::kNothing) {
@@ -109,6 +110,7 @@ class Painter {
         const bool same_surface = cells_.depth(x, y) - depth / 2 < kSameSurface;
         sum = sum + light_at(same_surface ? normals_[at] : buffer_.normal(sx, sy), openness);
       }
+    }
     return sum;
   }
 

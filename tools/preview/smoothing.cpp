@@ -24,7 +24,7 @@ class NormalFilter {
     const Range columns = around(x, cells_.width());
     const Range rows = around(y, cells_.height());
     Vector3f sum;
-    for (std::size_t cy = rows.begin; cy < rows.end; ++cy)
+    for (std::size_t cy = rows.begin; cy < rows.end; ++cy) {
       for (std::size_t cx = columns.begin; cx < columns.end; ++cx) {
         if (cells_.is_empty(cx, cy)) continue;
         const float weight = weights_[cx + radius_ - x] * weights_[cy + radius_ - y] *
@@ -32,6 +32,7 @@ class NormalFilter {
         const Vector3f& n = cells_.normal(cx, cy);
         sum = {sum.x + weight * n.x, sum.y + weight * n.y, sum.z + weight * n.z};
       }
+    }
     const float length = std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z);
     if (length == 0) return cells_.normal(x, y);
     return {sum.x / length, sum.y / length, sum.z / length};
@@ -64,9 +65,10 @@ std::vector<Vector3f> smooth_normals(const Cells& cells) {
   const NormalFilter filter(cells);
   std::vector<Vector3f> normals;
   normals.reserve(cells.width() * cells.height());
-  for (std::size_t y = 0; y < cells.height(); ++y)
+  for (std::size_t y = 0; y < cells.height(); ++y) {
     for (std::size_t x = 0; x < cells.width(); ++x)
       normals.push_back(cells.is_empty(x, y) ? Vector3f{} : filter.at(x, y));
+  }
   return normals;
 }
 
