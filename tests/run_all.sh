@@ -30,7 +30,7 @@ release_tests() {
     ctest --preset release -j "$jobs"
 }
 
-unit_tests() { build "$1" all && ctest --preset "$1" -j "$jobs"; }
+unit_tests() { build asan all && ctest --preset asan -j "$jobs"; }
 
 parallel_tests() { build tsan parallel_tests && ctest --preset tsan -j "$jobs" -L parallel; }
 
@@ -45,8 +45,7 @@ step "release: all tests" release_tests
 step "demo" tools/demo.sh build/release/bin demo
 if [ "${1-all}" = all ]; then
   step "lint" lint
-  step "checked: asserts on" unit_tests checked
-  step "asan: addresses, undefined behaviour" unit_tests asan
+  step "asan: asserts, addresses, undefined behaviour" unit_tests
   step "tsan: threads" parallel_tests
 fi
 
