@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
 
 #include "engine/surface/edge_uses.h"
 #include "engine/windows/final_window.h"
@@ -18,7 +19,10 @@ struct BorderEdge {
   PointRank low = 0;
   PointRank high = 0;
 
-  friend auto operator<=>(const BorderEdge&, const BorderEdge&) = default;
+  friend bool operator==(const BorderEdge&, const BorderEdge&) = default;
+  friend bool operator<(const BorderEdge& a, const BorderEdge& b) {
+    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+  }
 };
 
 class EdgeCensus {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace stream_recon {
@@ -22,7 +23,10 @@ struct EdgeUse {
   /// Whether the triangle's ascending order runs along the edge from low to high.
   bool ascending() const { return use % 3 != 2; }
 
-  friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
+  friend bool operator==(const EdgeUse&, const EdgeUse&) = default;
+  friend bool operator<(const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.use) < std::tie(b.low, b.high, b.use);
+  }
 };
 
 /// All uses, sorted. \pre fewer than 2^32 / 3 triangles

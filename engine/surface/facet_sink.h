@@ -8,6 +8,7 @@
 
 #include <mutex>
 #include <span>
+#include <tuple>
 
 #include "engine/surface/chunk_layout.h"
 #include "engine/surface/chunk_spool.h"
@@ -21,7 +22,10 @@ struct BorderPoint {
   PointRank rank = 0;
   std::uint64_t user = 0;
 
-  friend auto operator<=>(const BorderPoint&, const BorderPoint&) = default;
+  friend bool operator==(const BorderPoint&, const BorderPoint&) = default;
+  friend bool operator<(const BorderPoint& a, const BorderPoint& b) {
+    return std::tie(a.rank, a.user) < std::tie(b.rank, b.user);
+  }
 };
 
 class FacetSink {

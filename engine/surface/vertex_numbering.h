@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "engine/stage_context.h"
@@ -34,13 +35,19 @@ class VertexNumbering {
     PointRank rank = 0;
     std::uint64_t chunk = 0;
 
-    friend auto operator<=>(const Share&, const Share&) = default;
+    friend bool operator==(const Share&, const Share&) = default;
+    friend bool operator<(const Share& a, const Share& b) {
+      return std::tie(a.rank, a.chunk) < std::tie(b.rank, b.chunk);
+    }
   };
   struct Known {
     PointRank rank = 0;
     std::uint64_t number = 0;
 
-    friend auto operator<=>(const Known&, const Known&) = default;
+    friend bool operator==(const Known&, const Known&) = default;
+    friend bool operator<(const Known& a, const Known& b) {
+      return std::tie(a.rank, a.number) < std::tie(b.rank, b.number);
+    }
   };
 
   void find_shares(const FacetSink& surface, ChunkSpool<Share>& shares);
