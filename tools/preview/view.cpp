@@ -37,11 +37,11 @@ Point3 View::operator()(const Point3& p) const {
 }
 
 View parse_view(const std::string& text) {
-  static const std::map<std::string, Angles> kNamed{{"front", {0, 0}}, {"back", {180, 0}},
-                                                    {"left", {90, 0}}, {"right", {-90, 0}},
-                                                    {"top", {0, 90}},  {"bottom", {0, -90}}};
-  const auto named = kNamed.find(text);
-  const Angles angles = named != kNamed.end() ? named->second : parse_angles(text);
+  static const std::map<std::string, Angles> named_views{{"front", {0, 0}}, {"back", {180, 0}},
+                                                         {"left", {90, 0}}, {"right", {-90, 0}},
+                                                         {"top", {0, 90}},  {"bottom", {0, -90}}};
+  const auto named = named_views.find(text);
+  const Angles angles = named != named_views.end() ? named->second : parse_angles(text);
   constexpr double kRadian = std::numbers::pi / 180;
   const double ca = std::cos(angles.first * kRadian);
   const double sa = std::sin(angles.first * kRadian);
