@@ -30,6 +30,10 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
   return allocate(size);
 }
+// The library's sorts take their buffer by this one; the sanitizer wants all of one kind.
+void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
+  return std::malloc(size);
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
@@ -47,6 +51,14 @@ namespace stream_recon {
 namespace {
 
 constexpr std::size_t kMostAtOnce = 1 << 20;
+
+std::string little_endian(std::initializer_list<std::uint64_t> numbers) {
+  std::string bytes;
+  for (const std::uint64_t number : numbers) {
+    for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(number >> shift);
+  }
+  return bytes;
+}
 
 class Promise : public ::testing::TestWithParam<std::string> {
  protected:
@@ -104,29 +116,29 @@ TEST_P(Promise, OfXmlPointsTakesNoMemory) {
                             "\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" ";
   const std::string end = "</Points></Piece></PolyData>";
   // A length or block header that keeps the promise, and nothing behind it.
-  const double count = std::stod(GetParam());
-  const std::string plain = packed<std::uint64_t>(std::array<double, 1>{12 * count}, false);
-  const std::string blocks =
-      packed<std::uint64_t>(std::array<double, 3>{count / (1 << 10), 12 * (1 << 10), 0}, false);
+  const std::uint64_t count = std::stoull(GetParam());
+  const std::string plain = little_endian({12 * count});
+  const std::string blocks = little_endian({count / 1024, std::uint64_t{12} * 1024, 0});
   expect_refused(head + piece + "format=\"ascii\">1 2 3</DataArray>" + end + "</VTKFile>",
                  InputFormat::kVtp);
   const std::string appended =
       "format=\"appended\" offset=\"0\"/>" + end + "<AppendedData encoding=\"raw\">_";
   expect_refused(head + piece + appended + plain + "12345", InputFormat::kVtp);
-  for (const char* compressor : {"ZLib", "LZ4"}) {
-    expect_refused(head + " compressor=\"vtk" + compressor + "DataCompressor\"" + piece + appended +
-                       blocks + std::string(80, '\x10'),
-                   InputFormat::kVtp);
+  const std::string rest = piece + appended + blocks + std::string(80, '\x10');
+  for (const char* compressor : {"vtkZLibDataCompressor", "vtkLZ4DataCompressor"}) {
+    std::string file = head;
+    file.append(" compressor=\"").append(compressor).append("\"").append(rest);
+    expect_refused(file, InputFormat::kVtp);
   }
 }
 
 TEST_P(Promise, OfTrianglesTakesNoMemory) {
-  put_bytes(file_.path(),
-            "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData><Piece "
-            "NumberOfPoints=\"" +
-                GetParam() + "\" NumberOfPolys=\"" + GetParam() +
-                "\"><Polys><DataArray type=\"Int64\" Name=\"offsets\">3 6</DataArray>"
-                "</Polys></Piece></PolyData></VTKFile>");
+  file_.put(
+      "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData><Piece "
+      "NumberOfPoints=\"" +
+      GetParam() + "\" NumberOfPolys=\"" + GetParam() +
+      "\"><Polys><DataArray type=\"Int64\" Name=\"offsets\">3 6</DataArray>"
+      "</Polys></Piece></PolyData></VTKFile>");
   largest_allocation = 0;
   EXPECT_THROW(read_vtp_mesh(file_.path()), InputError);
   EXPECT_LE(largest_allocation, kMostAtOnce);
