@@ -4,6 +4,10 @@
 // its ranges are independent. An exception in a body ends the loop and is thrown to the caller.
 #pragma once
 
+#if defined(__SANITIZE_THREAD__)
+#include "engine/parallel_threads.h"
+#else
+
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -43,3 +47,5 @@ void parallel_for_ranges(std::size_t count, std::size_t grain, const Body& body)
 }
 
 }  // namespace stream_recon
+
+#endif
