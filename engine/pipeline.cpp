@@ -12,8 +12,9 @@
 #include "engine/stage_log.h"
 #include "engine/surface/assembly.h"
 #include "engine/surface/facet_sink.h"
+#include "engine/windows/cloud_index.h"
 #include "engine/windows/tetrahedra_census.h"
-#include "engine/windows/whole_cloud_window.h"
+#include "engine/windows/window_stage.h"
 #include "io/surface_writer.h"
 
 namespace stream_recon {
@@ -42,7 +43,9 @@ class Pipeline {
     const OrderResult order = log_.run("order", [&] { return hilbert_sort(cloud, context_); });
     report_.input.duplicates = order.duplicates;
     const auto facets = make_sink(order);
-    log_.run("windows", [&] { run_windows(order, facets.get()); });
+    const CloudIndex index =
+        log_.run("index", [&] { return build_index(cloud, order.point_count, context_); });
+    log_.run("windows", [&] { run_windows(index, facets.get()); });
     if (facets != nullptr) {
       log_.run("surface", [&] { build_surface(*facets, *writer); });
       log_.run("write", [&] { writer->finish(); });
@@ -72,8 +75,7 @@ class Pipeline {
     return std::make_unique<FacetSink>(layout, SpoolOptions{&context_.scratch, &context_.budget});
   }
 
-  void run_windows(const OrderResult& order, FacetSink* facets) {
-    const WholeCloudWindow window(order.point_count, kConsumerMemory, context_);
+  void run_windows(const CloudIndex& index, FacetSink* facets) {
     const Reservation memory = context_.budget.reserve(kConsumerMemory, "facets on their way");
     TetrahedraCensus census;
     std::vector<WindowConsumer*> consumers{&census};
@@ -82,11 +84,19 @@ class Pipeline {
       filter = make_filter(options_, *facets, context_.stop);
       consumers.push_back(filter.get());
     }
-    for (WindowConsumer* consumer : consumers) consumer->consume(window.view());
+    const WindowStageResult result =
+        run_window_stage(index, consumers, {report_.threads, options_.window_points}, context_);
     if (facets != nullptr) facets->finish();
 
     report_.delaunay = {census.count(), census.digest().hex()};
-    report_.windows = {.count = 1, .guests = 0, .rounds = 1};
+    report_.windows = {.count = result.windows,
+                       .splits = result.splits,
+                       .guests = result.counts.guests,
+                       .rounds = result.counts.rounds,
+                       .queries = result.counts.search.queries,
+                       .node_visits = result.counts.search.node_visits,
+                       .insert_seconds = result.counts.insert_seconds,
+                       .search_seconds = result.counts.search_seconds};
   }
 
   void build_surface(const FacetSink& facets, SurfaceWriter& writer) {

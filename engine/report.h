@@ -38,8 +38,13 @@ struct Report {
   } surface;
   struct {
     std::uint64_t count = 0;
-    std::uint64_t guests = 0;
-    std::uint64_t rounds = 0;
+    std::uint64_t splits = 0;       ///< windows that were begun too large
+    std::uint64_t guests = 0;       ///< points in windows that do not own them, all windows
+    std::uint64_t rounds = 0;       ///< of all windows
+    std::uint64_t queries = 0;      ///< cells asked about
+    std::uint64_t node_visits = 0;  ///< cells tested against nodes of the index
+    double insert_seconds = 0;      ///< inside windows, sum over threads
+    double search_seconds = 0;
   } windows;
   std::uint64_t peak_rss_bytes = 0;
   std::uint64_t scratch_peak_bytes = 0;

@@ -3,22 +3,19 @@
 #include <bit>
 
 namespace stream_recon::detail {
-namespace {
-
-// Whether the point is inside the circumsphere or, for an infinite cell, beyond the hull facet. In
-// the plane of the facet the circumsphere shrinks to the facet's circumcircle.
-bool is_in_conflict(const Cell& cell, const ConflictZone::Request& request,
+bool is_in_conflict(const Cell& cell, const Point3* points, const Point3& p,
                     const Predicates& predicates) {
-  const Point3& p = request.points[request.vertex];
-  const Point3& a = request.points[cell.vertex[0]];
-  const Point3& b = request.points[cell.vertex[1]];
-  const Point3& c = request.points[cell.vertex[2]];
+  const Point3& a = points[vertex_of(cell, 0)];
+  const Point3& b = points[cell.vertex[1]];
+  const Point3& c = points[cell.vertex[2]];
   if (!is_infinite(cell)) {
-    return predicates.in_sphere_perturbed(a, b, c, request.points[cell.vertex[3]], p) > 0;
+    return predicates.in_sphere_perturbed(a, b, c, points[cell.vertex[3]], p) > 0;
   }
   const int side = predicates.orient3d(a, b, c, p);
   return side != 0 ? side > 0 : predicates.in_circle_perturbed(a, b, c, p) > 0;
 }
+
+namespace {
 
 bool decide_tie(const Cell& cell, const ConflictZone::Request& request,
                 const Predicates& predicates) {
@@ -76,8 +73,9 @@ inline void ConflictZone::test(Batch& batch, const CellArray& cells, const Predi
   for (; open != 0; open &= open - 1) {
     const unsigned lane = static_cast<unsigned>(std::countr_zero(open));
     const bool is_tie = ((known.cospherical & ~infinite) >> lane & 1) != 0;
-    const bool inside = is_tie ? decide_tie(*beyond[lane], request, predicates)
-                               : is_in_conflict(*beyond[lane], request, predicates);
+    const bool inside =
+        is_tie ? decide_tie(*beyond[lane], request, predicates)
+               : is_in_conflict(*beyond[lane], request.points, query.point, predicates);
     batch.in_conflict |= static_cast<unsigned>(inside) << lane;
   }
 }

@@ -25,6 +25,11 @@ struct SharedFacet {
   std::uint32_t outer;  ///< as a facet of the cell beyond
 };
 
+/// Whether p is inside the circumsphere of a cell or, for an infinite one, beyond its hull facet.
+/// In the plane of the facet the circumsphere shrinks to the facet's circumcircle.
+bool is_in_conflict(const Cell& cell, const Point3* points, const Point3& p,
+                    const Predicates& predicates);
+
 class ConflictZone {
  public:
   ConflictZone() : test_spheres_(select_sphere_batch_test()) {}

@@ -27,6 +27,8 @@ struct Delaunay::Impl {
   std::size_t vertices = 0;
   CoordinateRange range;
   double scale = 1;
+  double unscale = 1;                   // 1 / scale, a power of two
+  Predicates exact{CoordinateRange{}};  // for the range and the scale
   detail::CellArray cells;
   detail::ConflictZone zone;
   detail::StarBuilder star;
@@ -66,8 +68,10 @@ bool Delaunay::Impl::append(std::span<const Point3> added) {
       points[v] = times(times(points[v], 1 / scale), *new_scale);
     }
     scale = *new_scale;
+    unscale = 1 / scale;
   }
   for (const Point3& p : added) points[++vertices] = times(p, scale);
+  exact = predicates();
   return true;
 }
 
@@ -82,7 +86,6 @@ Predicates Delaunay::Impl::predicates() const {
 
 // Inserts all vertices from `first` on but those of the first simplex; false if memory ran out.
 bool Delaunay::Impl::insert_rounds(std::size_t first, const detail::FirstSimplex& done) {
-  const Predicates exact = predicates();
   const std::size_t limit = most_cells();
   const detail::InsertionRounds rounds(vertices + 1 - first);
   for (int round = rounds.last(); round >= 0; --round) {
@@ -103,6 +106,7 @@ bool Delaunay::Impl::insert_rounds(std::size_t first, const detail::FirstSimplex
 Delaunay::Delaunay() : Delaunay(Options{}) {}
 Delaunay::Delaunay(const Options& options) : impl_(std::make_unique<Impl>()) {
   impl_->options = options;
+  impl_->range = options.range;
 }
 Delaunay::~Delaunay() = default;
 Delaunay::Delaunay(Delaunay&&) noexcept = default;
@@ -118,7 +122,7 @@ Delaunay::Outcome Delaunay::insert(std::span<const Point3> added) {
   detail::FirstSimplex simplex;
   if (self.dimension < 3) {
     first = 1;
-    simplex = detail::find_first_simplex({&self.points[1], self.vertices}, 1, self.predicates());
+    simplex = detail::find_first_simplex({&self.points[1], self.vertices}, 1, self.exact);
     self.dimension = simplex.dimension;
     if (self.dimension < 3) {
       self.is_unusable = false;
@@ -131,6 +135,12 @@ Delaunay::Outcome Delaunay::insert(std::span<const Point3> added) {
   return Outcome::kDone;
 }
 
+bool Delaunay::in_conflict(CellId c, const Point3& p) const {
+  const double s = impl_->scale;
+  return detail::is_in_conflict(impl_->cells[c], impl_->points.data(), {p.x * s, p.y * s, p.z * s},
+                                impl_->exact);
+}
+
 int Delaunay::dimension() const {
   return impl_->dimension;
 }
@@ -140,7 +150,7 @@ std::size_t Delaunay::vertex_count() const {
 
 Point3 Delaunay::point(VertexId v) const {
   const Point3& p = impl_->points[v + 1];
-  const double s = 1 / impl_->scale;
+  const double s = impl_->unscale;
   return {p.x * s, p.y * s, p.z * s};
 }
 

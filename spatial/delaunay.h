@@ -17,6 +17,7 @@
 #include <memory>
 #include <span>
 
+#include "spatial/coordinate_range.h"
 #include "spatial/point.h"
 
 namespace stream_recon {
@@ -40,6 +41,8 @@ class Delaunay {
   struct Options {
     /// Largest memory of cells and points together, bytes.
     std::size_t max_bytes = std::numeric_limits<std::size_t>::max();
+    /// Holds all points that will be inserted or asked about, if more than the inserted ones are.
+    CoordinateRange range;
   };
 
   explicit Delaunay(const Options& options);
@@ -52,6 +55,10 @@ class Delaunay {
   /// the cost needs is made inside.
   /// \pre All finite, distinct from each other and from those before.
   [[nodiscard]] Outcome insert(std::span<const Point3> points);
+
+  /// Whether a point, inserted, would destroy a live cell: exact, ties decided as in insert().
+  /// \pre The point is not a vertex, and lies in the range of the options or of the vertices.
+  bool in_conflict(CellId c, const Point3& p) const;
 
   /// Affine dimension of the points so far, -1 for none.
   int dimension() const;

@@ -30,6 +30,7 @@ void take_batch(std::span<const Point3> batch, CloudSummary& summary,
       continue;
     }
     summary.box.extend(p);
+    summary.range.extend(p);
     summary.fits_float32 =
         summary.fits_float32 && is_float32(p.x) && is_float32(p.y) && is_float32(p.z);
     kept.push_back({p, index});

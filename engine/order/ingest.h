@@ -12,6 +12,7 @@
 #include "engine/stage_context.h"
 #include "io/point_source.h"
 #include "spatial/box.h"
+#include "spatial/coordinate_range.h"
 
 namespace stream_recon {
 
@@ -25,6 +26,7 @@ struct CloudSummary {
   std::uint64_t rejected = 0;  ///< not finite
   std::uint64_t bytes = 0;     ///< of the inputs, as they lay there
   Box3 box;                    ///< of the finite points
+  CoordinateRange range;       ///< of the finite points
   bool fits_float32 = true;    ///< every coordinate is a float32
 
   std::uint64_t finite_points() const { return points - rejected; }

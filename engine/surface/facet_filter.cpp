@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/parallel.h"
 #include "engine/windows/final_simplices.h"
 #include "spatial/gamma_facet.h"
 
@@ -43,28 +42,28 @@ VertexId apex_beyond(const Delaunay& delaunay, CellId cell, int side) {
 
 void FacetFilter::consume(const FinalWindow& window) {
   const Delaunay& delaunay = window.delaunay();
-  parallel_for_ranges(
-      delaunay.cell_slots(), kCellsPerTask, [&](std::size_t begin, std::size_t end) {
-        stop_.check();
-        std::vector<FacetRecord> taken;
-        const CellRange range{static_cast<CellId>(begin), static_cast<CellId>(end)};
-        for_each_final_facet(window, range, [&](CellId cell, int side) {
-          const auto facet = by_rank(window, facet_vertices(delaunay, cell, side));
-          const std::array<Point3, 3> corners{delaunay.point(facet.vertices[0]),
-                                              delaunay.point(facet.vertices[1]),
-                                              delaunay.point(facet.vertices[2])};
-          const Point3 apex = delaunay.point(delaunay.vertices(cell)[side]);
-          const bool hull = delaunay.is_infinite(delaunay.neighbor(cell, side));
-          const FacetBalls balls =
-              hull ? hull_facet_balls(corners, apex)
-                   : facet_balls(corners, apex, delaunay.point(apex_beyond(delaunay, cell, side)));
-          if (!takes(balls)) return;
-          FacetRecord record{facet.ranks, static_cast<float>(gamma_angle(balls)), source_};
-          if (hull) record.facing = facet.reversed ? Facing::kInward : Facing::kOutward;
-          taken.push_back(record);
-        });
-        sink_.add(taken);
-      });
+  for (std::size_t begin = 0; begin < delaunay.cell_slots(); begin += kCellsPerTask) {
+    const std::size_t end = std::min<std::size_t>(begin + kCellsPerTask, delaunay.cell_slots());
+    stop_.check();
+    std::vector<FacetRecord> taken;
+    const CellRange range{static_cast<CellId>(begin), static_cast<CellId>(end)};
+    for_each_final_facet(window, range, [&](CellId cell, int side) {
+      const auto facet = by_rank(window, facet_vertices(delaunay, cell, side));
+      const std::array<Point3, 3> corners{delaunay.point(facet.vertices[0]),
+                                          delaunay.point(facet.vertices[1]),
+                                          delaunay.point(facet.vertices[2])};
+      const Point3 apex = delaunay.point(delaunay.vertices(cell)[side]);
+      const bool hull = delaunay.is_infinite(delaunay.neighbor(cell, side));
+      const FacetBalls balls =
+          hull ? hull_facet_balls(corners, apex)
+               : facet_balls(corners, apex, delaunay.point(apex_beyond(delaunay, cell, side)));
+      if (!takes(balls)) return;
+      FacetRecord record{facet.ranks, static_cast<float>(gamma_angle(balls)), source_};
+      if (hull) record.facing = facet.reversed ? Facing::kInward : Facing::kOutward;
+      taken.push_back(record);
+    });
+    sink_.add(taken);
+  }
 }
 
 }  // namespace stream_recon

@@ -1,0 +1,184 @@
+#include "engine/windows/certified_window.h"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+
+namespace stream_recon {
+namespace {
+
+using namespace index_layout;
+
+constexpr std::size_t kCellsSorted = std::size_t{1} << 16;
+
+/// Adds the processor time of this thread.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() { seconds_ += now() - began_; }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  double& seconds_;
+  double began_ = now();
+};
+
+}  // namespace
+
+void WindowCounts::add(const WindowCounts& other) {
+  guests += other.guests;
+  rounds += other.rounds;
+  search.add(other.search);
+  insert_seconds += other.insert_seconds;
+  search_seconds += other.search_seconds;
+}
+
+std::uint64_t CertifiedWindow::fixed_memory(const CloudIndex& index) {
+  return IndexReader::kMemory + PresentPoints::memory(index.leaf_count()) +
+         (index.top.size() + 5) * sizeof(BallList) + (std::uint64_t{1} << 20);
+}
+
+CertifiedWindow::Outcome CertifiedWindow::build(const OwnedRange& owned,
+                                                std::uint64_t memory_bytes) {
+  clear();
+  owned_ = owned;
+  memory_bytes_ = memory_bytes;
+  delaunay_ = Delaunay({.max_bytes = memory_bytes, .range = index_.range});
+  add_owned();
+  add_first_guests();
+  for (;;) {
+    ++counts_.rounds;
+    stop_.check();
+    if (!insert_pending()) return Outcome::kOutgrown;
+    stop_.check();
+    const std::vector<LeafNumber> leaves = find_conflicts();
+    if (leaves.empty() && counts_.rounds > 1) break;
+    for (const LeafNumber leaf : leaves) add_leaf(leaf);
+  }
+  counts_.guests = guest_ranks_.size();
+  return Outcome::kDone;
+}
+
+void CertifiedWindow::clear() {
+  delaunay_ = Delaunay();
+  present_.clear();
+  pending_ = {};
+  guest_ranks_ = {};
+  input_indices_ = {};
+  is_certified_ = {};
+  counts_ = {};
+  search_.take_counts();
+}
+
+std::uint64_t CertifiedWindow::bytes() const {
+  return delaunay_.bytes() + pending_.capacity() * sizeof(Point3) +
+         guest_ranks_.capacity() * sizeof(PointRank) +
+         input_indices_.capacity() * sizeof(std::uint64_t) + is_certified_.capacity() / 8;
+}
+
+void CertifiedWindow::add_owned() {
+  pending_.reserve(owned_.count);
+  input_indices_.reserve(owned_.count + owned_.count / 2);
+  for (PointRank rank = owned_.first; rank < owned_.end(); ++rank) {
+    const StoredPoint stored = reader_.point(rank);
+    pending_.push_back(stored.point);
+    input_indices_.push_back(stored.input_index);
+  }
+  const LeafNumber end = quotient_up(owned_.end(), kLeafPoints);
+  for (LeafNumber leaf = leaf_of(owned_.first); leaf < end; ++leaf) present_.add_leaf(leaf);
+}
+
+void CertifiedWindow::add_guest(PointRank rank) {
+  const StoredPoint stored = reader_.point(rank);
+  pending_.push_back(stored.point);
+  input_indices_.push_back(stored.input_index);
+  guest_ranks_.push_back(rank);
+}
+
+void CertifiedWindow::add_leaf(LeafNumber leaf) {
+  if (!present_.add_leaf(leaf)) return;
+  const PointRank end = std::min((leaf + 1) * kLeafPoints, index_.point_count);
+  for (PointRank rank = leaf * kLeafPoints; rank < end; ++rank) {
+    if (!present_.is_single(rank)) add_guest(rank);
+  }
+}
+
+void CertifiedWindow::add_first_guests() {
+  GuestSample sample = sample_guests(index_, reader_, owned_, GuestSampleOptions{});
+  for (const LeafNumber leaf : sample.leaves) add_leaf(leaf);
+  sample.singles.insert(sample.singles.end(), index_.simplex.begin(), index_.simplex.end());
+  std::sort(sample.singles.begin(), sample.singles.end());
+  for (const PointRank rank : sample.singles) {
+    if (present_.add_single(rank)) add_guest(rank);
+  }
+}
+
+bool CertifiedWindow::insert_pending() {
+  const Stopwatch watch(counts_.insert_seconds);
+  if (delaunay_.insert(pending_) != Delaunay::Outcome::kDone) return false;
+  pending_.clear();
+  return bytes() <= memory_bytes_;
+}
+
+// The leaves of conflicts with cells not yet certified, ascending. Cells are asked about in the
+// order of their lowest vertices, so that those of a packet lie close together.
+std::vector<LeafNumber> CertifiedWindow::find_conflicts() {
+  const Stopwatch watch(counts_.search_seconds);
+  std::vector<LeafNumber> leaves;
+  std::vector<OpenCell> open;
+  open.reserve(kCellsSorted);
+  is_certified_.resize(delaunay_.cell_slots());
+  for (CellId cell = 0; cell < delaunay_.cell_slots(); ++cell) {
+    if (is_certified_[cell] || !delaunay_.is_live(cell)) continue;
+    const auto v = delaunay_.vertices(cell);
+    const VertexId lowest = std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+    if (lowest >= owned_.count) continue;
+    if (counts_.rounds == 1 && delaunay_.is_infinite(cell)) continue;
+    open.push_back({lowest, cell});
+    if (open.size() < kCellsSorted) continue;
+    certify(open, leaves);
+    open.clear();
+  }
+  certify(open, leaves);
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  counts_.search.add(search_.take_counts());
+  return leaves;
+}
+
+void CertifiedWindow::certify(std::span<OpenCell> open, std::vector<LeafNumber>& leaves) {
+  std::sort(open.begin(), open.end());
+  std::array<CellId, CertificateSearch::kMostCells> cells;
+  std::array<LeafNumber, CertificateSearch::kMostCells> conflicts;
+  while (!open.empty()) {
+    stop_.check();
+    const std::size_t count = std::min(cells.size(), open.size());
+    for (std::size_t i = 0; i < count; ++i) cells[i] = open[i].cell;
+    search_.search(delaunay_, present_, {cells.data(), count}, {conflicts.data(), count});
+    for (std::size_t i = 0; i < count; ++i) {
+      if (conflicts[i] == CertificateSearch::kFinal) {
+        is_certified_[cells[i]] = true;
+      } else {
+        leaves.push_back(conflicts[i]);
+      }
+    }
+    open = open.subspan(count);
+  }
+}
+
+FinalWindow CertifiedWindow::view() const {
+  return FinalWindow({.delaunay = &delaunay_,
+                      .first_rank = owned_.first,
+                      .owned_count = owned_.count,
+                      .guest_ranks = guest_ranks_,
+                      .input_indices = input_indices_});
+}
+
+}  // namespace stream_recon

@@ -1,0 +1,183 @@
+#include "engine/windows/cloud_index.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "engine/order/point_store.h"
+#include "engine/parallel.h"
+#include "io/error.h"
+#include "spatial/predicates.h"
+
+namespace stream_recon {
+namespace {
+
+using namespace index_layout;
+
+constexpr std::size_t kPagesAtOnce = 32;
+
+[[noreturn]] void refuse_flat(std::uint64_t count, int dimension) {
+  static constexpr const char* kShapes[] = {"at one place", "on one line", "in one plane"};
+  const std::string lie =
+      dimension < 0 ? std::string("there are none") : fmt::format("all lie {}", kShapes[dimension]);
+  throw InputError(
+      fmt::format("the input has {} distinct points and {}: a surface needs four that "
+                  "are not in one plane; check the file and its --input-format",
+                  count, lie));
+}
+
+double largest_coordinate(const Point3& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+/// All nodes of one page, from its points relative to the origin.
+void bound_page(std::span<const Point3> points, double reach, std::span<NodeBounds> nodes) {
+  for (std::uint32_t node = 0; node < kPageNodes; ++node) {
+    const LeafRange leaves = leaves_below(0, node);
+    const std::size_t begin = std::min<std::size_t>(leaves.begin * kLeafPoints, points.size());
+    const std::size_t end = std::min<std::size_t>(leaves.end * kLeafPoints, points.size());
+    nodes[node] = bounds_of_points(points.subspan(begin, end - begin), reach);
+  }
+}
+
+/// Four affinely independent points, found as the points go by.
+class SimplexFinder {
+ public:
+  explicit SimplexFinder(const CoordinateRange& range)
+      : scale_(range.scale().value()), exact_(scaled(range, scale_)) {}
+
+  int dimension() const { return dimension_; }
+  const std::array<PointRank, 4>& ranks() const { return ranks_; }
+
+  void offer(const Point3& p, PointRank rank) {
+    if (dimension_ == 3) return;
+    corner_[dimension_ + 1] = {p.x * scale_, p.y * scale_, p.z * scale_};
+    const auto& [a, b, c, d] = corner_;
+    if (dimension_ == 1 && exact_.coplanar_orientation(a, b, c) == 0) return;
+    if (dimension_ == 2 && exact_.orient3d(a, b, c, d) == 0) return;
+    ranks_[++dimension_] = rank;
+  }
+
+ private:
+  static CoordinateRange scaled(CoordinateRange range, double scale) {
+    if (range.empty()) return range;
+    range.unit_exponent += std::ilogb(scale);
+    range.magnitude_exponent += std::ilogb(scale);
+    return range;
+  }
+
+  double scale_;
+  Predicates exact_;
+  int dimension_ = -1;
+  std::array<PointRank, 4> ranks_{};
+  std::array<Point3, 4> corner_{};
+};
+
+class IndexBuilder {
+ public:
+  IndexBuilder(const CloudSummary& cloud, std::uint64_t point_count, const StageContext& context)
+      : context_(context), finder_(cloud.range) {
+    index_.point_count = point_count;
+    index_.range = cloud.range;
+    const Box3& box = cloud.box;
+    index_.origin = {box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2,
+                     box.low.z / 2 + box.high.z / 2};
+    index_.reach = 2 * std::max(largest_coordinate(box.low), largest_coordinate(box.high));
+    const std::uint64_t pages = quotient_up(point_count, kPagePoints);
+    index_.memory = context.budget.reserve(pages * (sizeof(StoredPoint) + 2 * sizeof(NodeBounds)),
+                                           "the top of the index");
+    index_.page_samples.reserve(pages);
+    index_.top.emplace_back().reserve(pages);
+  }
+
+  CloudIndex build() {
+    write_pages();
+    if (finder_.dimension() < 3) refuse_flat(index_.point_count, finder_.dimension());
+    index_.simplex = finder_.ranks();
+    make_top();
+    return std::move(index_);
+  }
+
+ private:
+  void write_pages() {
+    constexpr std::size_t kBatchPoints = kPagesAtOnce * kPagePoints;
+    const Reservation memory = context_.budget.reserve(
+        kBatchPoints * (sizeof(StoredPoint) + sizeof(Point3)) +
+            kPagesAtOnce * kPageNodes * sizeof(NodeBounds) + record_file_memory(kPointStoreBlock) +
+            record_file_memory(kPageNodes * sizeof(NodeBounds)),
+        "the pages of the index");
+    PointStoreReader store(context_.scratch, kPointStore);
+    auto writer =
+        create_records<NodeBounds>(context_.scratch, kIndexPages, kPageNodes * sizeof(NodeBounds));
+    std::vector<StoredPoint> batch(kBatchPoints);
+    std::vector<Point3> relative(kBatchPoints);
+    std::vector<NodeBounds> nodes(kPagesAtOnce * kPageNodes);
+    PointRank rank = 0;
+    context_.progress.begin_stage("index", index_.point_count, "points");
+    while (const std::size_t count = store.read(batch)) {
+      context_.stop.check();
+      for (std::size_t i = 0; i < count && finder_.dimension() < 3; ++i) {
+        finder_.offer(batch[i].point, rank + i);
+      }
+      const std::size_t pages = quotient_up(count, kPagePoints);
+      parallel_for_ranges(pages, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t page = begin; page < end; ++page) {
+          const std::size_t first = page * kPagePoints;
+          const std::size_t points = std::min<std::size_t>(kPagePoints, count - first);
+          const Point3& o = index_.origin;
+          for (std::size_t i = first; i < first + points; ++i) {
+            const Point3& p = batch[i].point;
+            relative[i] = {p.x - o.x, p.y - o.y, p.z - o.z};
+          }
+          bound_page({&relative[first], points}, index_.reach,
+                     {&nodes[page * kPageNodes], kPageNodes});
+        }
+      });
+      for (std::size_t page = 0; page < pages; ++page) {
+        index_.page_samples.push_back(batch[page * kPagePoints]);
+        index_.top[0].push_back(nodes[page * kPageNodes]);
+      }
+      writer.append({nodes.data(), pages * kPageNodes});
+      rank += count;
+      context_.progress.advance(count);
+    }
+    writer.finish();
+    context_.progress.end_stage();
+  }
+
+  void make_top() {
+    while (index_.top.back().size() > 1) {
+      const std::span<const NodeBounds> below = index_.top.back();
+      std::vector<NodeBounds> level;
+      level.reserve(quotient_up(below.size(), kFanout));
+      for (std::size_t first = 0; first < below.size(); first += kFanout) {
+        level.push_back(bounds_of_nodes(
+            below.subspan(first, std::min<std::size_t>(kFanout, below.size() - first)),
+            index_.reach));
+      }
+      index_.top.push_back(std::move(level));
+    }
+  }
+
+  const StageContext& context_;
+  SimplexFinder finder_;
+  CloudIndex index_;
+};
+
+}  // namespace
+
+CloudIndex build_index(const CloudSummary& cloud, std::uint64_t point_count,
+                       const StageContext& context) {
+  if (point_count == 0) refuse_flat(0, -1);
+  if (!cloud.range.scale()) {
+    throw InputError(
+        "the coordinates are too far apart in magnitude for exact arithmetic: the "
+        "largest is over 2^390 times the finest step; scale or clean the input");
+  }
+  return IndexBuilder(cloud, point_count, context).build();
+}
+
+}  // namespace stream_recon

@@ -1,0 +1,155 @@
+#include "engine/windows/guest_sample.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace stream_recon {
+namespace {
+
+using namespace index_layout;
+
+/// Boxes that stand for the owned points in distances.
+constexpr std::uint64_t kMostBoxes = 256;
+
+double squared(double value) {
+  return value * value;
+}
+
+double gap(float low_a, float high_a, float low_b, float high_b) {
+  return std::max(0.0, std::max(double{low_a} - high_b, double{low_b} - high_a));
+}
+
+double squared_distance(const NodeBounds& a, const NodeBounds& b) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) sum += squared(gap(a.low[i], a.high[i], b.low[i], b.high[i]));
+  return sum;
+}
+
+double squared_diagonal(const NodeBounds& a) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) sum += squared(double{a.high[i]} - a.low[i]);
+  return sum;
+}
+
+class Sampling {
+ public:
+  Sampling(const CloudIndex& index, IndexReader& reader, const OwnedRange& owned,
+           const GuestSampleOptions& options)
+      : index_(index), reader_(reader), owned_(owned), options_(options) {
+    cover_owned();
+  }
+
+  GuestSample run() {
+    const auto level = static_cast<std::uint32_t>(index_.top.size() - 1);
+    visit_top(level, 0);
+    return std::move(sample_);
+  }
+
+ private:
+  /// Boxes of the nodes of one level that have owned points, as many as kMostBoxes allows.
+  void cover_owned() {
+    std::uint64_t points = kLeafPoints;
+    std::uint32_t first = kFirstLeaf;
+    while (first > 0 && owned_.count / points > kMostBoxes) {
+      points *= kFanout;
+      first = (first - 1) / 4;
+    }
+    if (owned_.count / points <= kMostBoxes) {
+      for (std::uint64_t node = owned_.first / points; node * points < owned_.end(); ++node) {
+        const std::uint64_t page = node * points / kPagePoints;
+        const auto at = static_cast<std::uint32_t>(first + node % (kPagePoints / points));
+        owned_boxes_.push_back(reader_.nodes(page).nodes[at]);
+      }
+      return;
+    }
+    std::size_t level = 0;
+    while (owned_.count / points > kMostBoxes) {
+      points *= kFanout;
+      ++level;
+    }
+    for (std::uint64_t node = owned_.first / points; node * points < owned_.end(); ++node) {
+      owned_boxes_.push_back(index_.top[level][node]);
+    }
+  }
+
+  double squared_distance_to_owned(const NodeBounds& bounds) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const NodeBounds& box : owned_boxes_) {
+      least = std::min(least, squared_distance(bounds, box));
+    }
+    return least;
+  }
+
+  enum class Choice { kNothing, kOne, kDescend, kWhole };
+
+  Choice choose(const NodeBounds& bounds, const LeafRange& leaves) const {
+    if (bounds.empty()) return Choice::kNothing;
+    if (leaves.begin * kLeafPoints >= owned_.first && leaves.end * kLeafPoints <= owned_.end()) {
+      return Choice::kNothing;
+    }
+    const double diagonal = squared_diagonal(bounds);
+    const double distance = squared_distance_to_owned(bounds);
+    if (distance > squared(options_.far) * diagonal) return Choice::kOne;
+    if (leaves.end - leaves.begin > 1) return Choice::kDescend;
+    return distance <= squared(options_.halo) * diagonal ? Choice::kWhole : Choice::kOne;
+  }
+
+  void visit_top(std::uint32_t level, std::uint64_t node) {
+    std::uint64_t pages = 1;
+    for (std::uint32_t l = 0; l < level; ++l) pages *= kFanout;
+    const std::uint64_t first_page = node * pages;
+    switch (choose(index_.top[level][node],
+                   {first_page * kPageLeaves, (first_page + pages) * kPageLeaves})) {
+      case Choice::kOne:
+        sample_.singles.push_back(first_page * kPagePoints);
+        break;
+      case Choice::kDescend:
+        if (level == 0) {
+          visit_children(node, 0);
+        } else {
+          const std::uint64_t end =
+              std::min<std::uint64_t>(kFanout * (node + 1), index_.top[level - 1].size());
+          for (std::uint64_t c = kFanout * node; c < end; ++c) visit_top(level - 1, c);
+        }
+        break;
+      case Choice::kNothing:
+      case Choice::kWhole:
+        break;
+    }
+  }
+
+  void visit_children(std::uint64_t page, std::uint32_t node) {
+    for (std::uint32_t child = 4 * node + 1; child <= 4 * node + 4; ++child) {
+      const LeafRange leaves = leaves_below(page, child);
+      switch (choose(reader_.nodes(page).nodes[child], leaves)) {
+        case Choice::kOne:
+          sample_.singles.push_back(leaves.begin * kLeafPoints);
+          break;
+        case Choice::kDescend:
+          visit_children(page, child);
+          break;
+        case Choice::kWhole:
+          sample_.leaves.push_back(leaves.begin);
+          break;
+        case Choice::kNothing:
+          break;
+      }
+    }
+  }
+
+  const CloudIndex& index_;
+  IndexReader& reader_;
+  const OwnedRange& owned_;
+  const GuestSampleOptions& options_;
+  std::vector<NodeBounds> owned_boxes_;
+  GuestSample sample_;
+};
+
+}  // namespace
+
+GuestSample sample_guests(const CloudIndex& index, IndexReader& reader, const OwnedRange& owned,
+                          const GuestSampleOptions& options) {
+  return Sampling(index, reader, owned, options).run();
+}
+
+}  // namespace stream_recon

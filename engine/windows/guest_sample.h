@@ -1,0 +1,38 @@
+// The guests a window begins with: a halo around the owned points and a coarse sample of the rest,
+// denser near, sparser far.
+//
+// Guarantees: none that exactness needs; a good choice saves rounds, a bad one costs time.
+// Thread rule: pure but for the reader. Cost: about 1 % of the window's triangulation.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/windows/index_reader.h"
+
+namespace stream_recon {
+
+struct GuestSampleOptions {
+  /// Leaves nearer to the owned points than this many of their own diagonals come whole.
+  double halo = 1;
+  /// Nodes farther than this many of their own diagonals give one point.
+  double far = 2;
+};
+
+struct OwnedRange {
+  PointRank first = 0;  ///< a multiple of 16
+  std::uint64_t count = 0;
+
+  PointRank end() const { return first + count; }
+};
+
+struct GuestSample {
+  std::vector<index_layout::LeafNumber> leaves;  ///< ascending
+  std::vector<PointRank> singles;
+};
+
+/// \throw IoError
+GuestSample sample_guests(const CloudIndex& index, IndexReader& reader, const OwnedRange& owned,
+                          const GuestSampleOptions& options);
+
+}  // namespace stream_recon

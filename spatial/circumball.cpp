@@ -1,0 +1,89 @@
+#include "spatial/circumball.h"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <limits>
+#include <optional>
+
+namespace stream_recon {
+namespace {
+
+using Quad = boost::multiprecision::cpp_bin_float_quad;
+
+// A centre this well known, in units of the radius, makes the search no slower.
+constexpr double kTolerance = 1e-8;
+
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+Vector<T> difference(const Point3& p, const Point3& a) {
+  return {T(p.x) - T(a.x), T(p.y) - T(a.y), T(p.z) - T(a.z)};
+}
+
+template <class T>
+T dot(const Vector<T>& a, const Vector<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T>
+double to_double(const T& value) {
+  return static_cast<double>(value);
+}
+
+// With u, v, w from the first vertex and V = u.(v x w), the centre is
+//   (|u|^2 (v x w) + |v|^2 (w x u) + |w|^2 (u x v)) / (2 V).
+// Forward error: each cross product is within 4 roundings of |v| |w| a component, so V is within 12
+// of |u| |v| |w| and the numerator within 12 of |u| |v| |w| (|u| + |v| + |w|) a component.
+template <class T>
+Circumball solve(const std::array<Point3, 4>& p, double roundoff) {
+  const Vector<T> u = difference<T>(p[1], p[0]);
+  const Vector<T> v = difference<T>(p[2], p[0]);
+  const Vector<T> w = difference<T>(p[3], p[0]);
+  const Vector<T> vw = cross(v, w);
+  const Vector<T> wu = cross(w, u);
+  const Vector<T> uv = cross(u, v);
+  const T uu = dot(u, u);
+  const T vv = dot(v, v);
+  const T ww = dot(w, w);
+  const T twice = 2 * dot(u, vw);
+  Circumball ball{p[0], {}, std::numeric_limits<double>::infinity()};
+  const double volume = std::abs(to_double(twice));
+  const double a = std::sqrt(to_double(uu));
+  const double b = std::sqrt(to_double(vv));
+  const double c = std::sqrt(to_double(ww));
+  const double size = a * b * c;
+  const double volume_error = 32 * roundoff * size;
+  if (!(volume > 4 * volume_error)) return ball;
+  ball.centre = {to_double(T((uu * vw.x + vv * wu.x + ww * uv.x) / twice)),
+                 to_double(T((uu * vw.y + vv * wu.y + ww * uv.y) / twice)),
+                 to_double(T((uu * vw.z + vv * wu.z + ww * uv.z) / twice))};
+  const double numerator_error = 32 * roundoff * size * (a + b + c);
+  const double radius = ball.radius();
+  ball.centre_error =
+      (numerator_error + radius * volume_error) / (volume - volume_error) + 4 * 0x1p-53 * radius;
+  return ball;
+}
+
+bool is_good(const Circumball& ball) {
+  return ball.centre_error <= kTolerance * ball.radius();
+}
+
+}  // namespace
+
+Circumball circumball(const std::array<Point3, 4>& tetrahedron) {
+  const Circumball ball = solve<double>(tetrahedron, 0x1p-53);
+  if (is_good(ball)) return ball;
+  const Circumball extended =
+      solve<long double>(tetrahedron, std::numeric_limits<long double>::epsilon() / 2);
+  if (is_good(extended)) return extended;
+  return solve<Quad>(tetrahedron, 0x1p-113);
+}
+
+}  // namespace stream_recon
