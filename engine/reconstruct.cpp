@@ -52,8 +52,9 @@ Report reconstruct(const RunOptions& options) {
   MemoryBudget budget(memory_limit(options));
   const Reservation process =
       budget.reserve(kProcessBytes + threads * kThreadBytes, "the process itself");
+  const std::string& main_output = options.output.empty() ? options.tetrahedra : options.output;
   ScratchDirectory scratch(
-      {options.scratch.empty() ? default_scratch_parent(options.output) : options.scratch,
+      {options.scratch.empty() ? default_scratch_parent(main_output) : options.scratch,
        options.scratch_limit_bytes});
   Progress progress(options.progress);
   const StopRequest never;

@@ -1,7 +1,7 @@
 // The door to the whole program: points in, surface and report out.
 //
 // Guarantees: the bytes of every output depend on the input, the kind of surface with its threshold
-// and chunk_points only, not on memory_bytes or threads. Nothing stands under the output's name
+// and chunk_points only, not on memory_bytes or threads. Nothing stands under an output's name
 // unless the call returns. Scratch files are gone when it returns or throws.
 // Thread rule: one run at a time in a process, since memory is bounded for the process as a whole.
 #pragma once
@@ -32,7 +32,10 @@ struct RunOptions {
 
   /// Ends in .pvtp, .ply or .vtk, or is "-" for PLY on standard output; not used for kNone.
   std::string output;
-  std::uint64_t chunk_points = 250'000;  ///< points of the Hilbert order that share a chunk, >= 1
+  /// Also writes all finite Delaunay tetrahedra; ends in .pvtu, empty for none. Neither this output
+  /// nor `output` lies in the folder of the other's chunks.
+  std::string tetrahedra;
+  std::uint64_t chunk_points = 100'000;  ///< points of the Hilbert order that share a chunk, >= 1
 
   /// Bound of the resident set of the whole process, bytes; 0: half of the machine's memory.
   std::uint64_t memory_bytes = 0;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 namespace stream_recon {
 namespace {
@@ -27,6 +29,35 @@ void check_output(const RunOptions& options) {
                   options.output));
 }
 
+/// The path that a chunked output has its folder at, or where a file stands.
+std::filesystem::path place_of(std::string_view output) {
+  if (output.ends_with(".pvtp") || output.ends_with(".pvtu")) output.remove_suffix(5);
+  std::error_code error;
+  const auto place = std::filesystem::current_path(error) / output;
+  const auto canonical = std::filesystem::weakly_canonical(place, error);
+  return error ? place : canonical;
+}
+
+/// Whether `place` is `folder` or lies in it.
+bool is_within(const std::filesystem::path& place, const std::filesystem::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), place.begin(), place.end()).first ==
+         folder.end();
+}
+
+void check_tetrahedra(const RunOptions& options) {
+  const std::string& path = options.tetrahedra;
+  if (path.empty()) return;
+  require(path.ends_with(".pvtu"),
+          fmt::format("--tetrahedra {}: the name must end in .pvtu", path));
+  if (options.surface == SurfaceKind::kNone || options.output == "-") return;
+  const auto tetrahedra = place_of(path);
+  const auto surface = place_of(options.output);
+  require(!is_within(tetrahedra, surface) && !is_within(surface, tetrahedra),
+          fmt::format("-o {} and --tetrahedra {} would use one folder for their chunks; "
+                      "give --tetrahedra another name",
+                      options.output, path));
+}
+
 void check_thresholds(const RunOptions& options) {
   require(options.delta_max_degrees > 0 && options.delta_max_degrees <= 180,
           fmt::format("--delta-max {}: give an angle above 0 and up to 180 degrees",
@@ -43,6 +74,7 @@ void check_options(const RunOptions& options) {
   require(std::count(options.inputs.begin(), options.inputs.end(), "-") <= 1,
           "- is given twice, but standard input can be read once");
   check_output(options);
+  check_tetrahedra(options);
   check_thresholds(options);
   require(options.chunk_points >= 1, "--chunk-points 0: give 1 or more");
 }

@@ -29,9 +29,13 @@ AtomicOutput::AtomicOutput(std::string path)
       file_(create_beside(path_)),
       temporary_(file_.path(), TemporaryPath::Kind::kFile) {}
 
-void AtomicOutput::commit() {
+void AtomicOutput::prepare() {
   file_.sync();
   file_.close();
+}
+
+void AtomicOutput::commit() {
+  if (file_.is_open()) prepare();
   rename_path(temporary_.path(), path_);
   temporary_.keep();
   try {

@@ -20,7 +20,9 @@ class AtomicOutput {
 
   File& file() { return file_; }
 
-  /// Forces the bytes to the device and puts them under the name. \throw IoError
+  /// No more bytes: forces them to the device. \throw IoError
+  void prepare();
+  /// Puts the bytes under the name, prepared if they are not yet. \throw IoError
   void commit();
 
  private:

@@ -22,6 +22,10 @@ class OutputTarget {
   }
 
   File& file() { return output_ ? output_->file() : stream_; }
+  /// Forces what was written to the device. \throw IoError
+  void prepare() {
+    if (output_) output_->prepare();
+  }
   /// \throw IoError
   void commit() {
     if (output_) output_->commit();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/byte_sink.h"
+#include "io/coordinates.h"
 #include "io/output_target.h"
 #include "io/spooled_parts.h"
 #include "io/surface_points.h"
@@ -22,10 +23,11 @@ class PlyWriter final : public SurfaceWriter {
       : scalar_(options.coordinates), parts_(*options.scratch, kPartCount), target_(options.path) {}
 
   void write(const SurfaceChunk& chunk) override;
-  void finish() override;
   std::uint64_t bytes_written() const override { return bytes_written_; }
 
  private:
+  void complete() override;
+  void publish() override { target_.commit(); }
   std::string header() const;
 
   Scalar scalar_;
@@ -60,14 +62,14 @@ std::string PlyWriter::header() const {
   return text + "property list uchar int vertex_indices\nend_header\n";
 }
 
-void PlyWriter::finish() {
+void PlyWriter::complete() {
   const std::string text = header();
   File& file = target_.file();
   file.write(std::as_bytes(std::span(text)));
   parts_.move_to(kVertices, file);
   parts_.move_to(kFaces, file);
   bytes_written_ = file.position();
-  target_.commit();
+  target_.prepare();
 }
 
 }  // namespace

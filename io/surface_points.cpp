@@ -8,21 +8,6 @@
 
 namespace stream_recon {
 
-std::size_t scalar_bytes(Scalar scalar) {
-  return scalar == Scalar::kFloat32 ? sizeof(float) : sizeof(double);
-}
-
-void put_point(ByteSink& sink, const Point3& point, Scalar scalar) {
-  for (const double value : {point.x, point.y, point.z}) {
-    if (scalar == Scalar::kFloat32) {
-      assert(static_cast<double>(static_cast<float>(value)) == value);
-      sink.put(static_cast<float>(value));
-    } else {
-      sink.put(value);
-    }
-  }
-}
-
 std::vector<std::uint32_t> SurfacePoints::take_new(const SurfaceChunk& chunk, const char* format) {
   std::vector<std::uint32_t> positions;
   for (std::size_t i = 0; i < chunk.points.size(); ++i) {

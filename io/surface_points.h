@@ -4,18 +4,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "io/byte_sink.h"
 #include "io/surface_writer.h"
 
 namespace stream_recon {
-
-std::size_t scalar_bytes(Scalar scalar);
-
-/// Puts x, y, z; kFloat32 demands coordinates that are float32 values.
-void put_point(ByteSink& sink, const Point3& point, Scalar scalar);
 
 class SurfacePoints {
  public:

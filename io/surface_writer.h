@@ -1,7 +1,7 @@
 // Surfaces on disk, chunk by chunk.
 //
-// Guarantees: nothing stands under the final name until finish() returned; a writer destroyed
-// before that removes what it wrote. The bytes written are a function of the chunks alone.
+// Guarantees: nothing stands under the final name until finish(); a writer destroyed before that
+// removes what it wrote. The bytes written are a function of the chunks alone.
 // Memory: one encoded chunk. Thread rule: one writer.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "io/coordinates.h"
 #include "spatial/point.h"
 
 namespace stream_recon {
@@ -34,8 +35,6 @@ struct SurfaceChunk {
   std::vector<TriangleSource> source;
 };
 
-enum class Scalar { kFloat32, kFloat64 };
-
 struct SurfaceWriterOptions {
   /// Ends in .pvtp, .ply or .vtk, or is "-" (binary PLY on standard output).
   std::string path;
@@ -51,10 +50,24 @@ class SurfaceWriter {
   virtual ~SurfaceWriter() = default;
   /// \throw IoError
   virtual void write(const SurfaceChunk& chunk) = 0;
-  /// Completes the output and puts it under its final name, the index last.
-  /// \throw IoError
-  virtual void finish() = 0;
+  /// No more chunks: completes the output, under another name still, so that finish() has nothing
+  /// but renames to do. What goes to standard output is there after it. \throw IoError
+  void prepare() {
+    if (!is_prepared_) complete();
+    is_prepared_ = true;
+  }
+  /// Prepares, and puts the output under its final name, the index last. \throw IoError
+  void finish() {
+    prepare();
+    publish();
+  }
   virtual std::uint64_t bytes_written() const = 0;
+
+ private:
+  virtual void complete() = 0;
+  virtual void publish() = 0;
+
+  bool is_prepared_ = false;
 };
 
 /// \throw IoError cannot create; std::invalid_argument unknown ending, no scratch

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/byte_sink.h"
+#include "io/coordinates.h"
 #include "io/output_target.h"
 #include "io/spooled_parts.h"
 #include "io/surface_points.h"
@@ -20,10 +21,11 @@ class VtkWriter final : public SurfaceWriter {
       : scalar_(options.coordinates), parts_(*options.scratch, kPartCount), target_(options.path) {}
 
   void write(const SurfaceChunk& chunk) override;
-  void finish() override;
   std::uint64_t bytes_written() const override { return bytes_written_; }
 
  private:
+  void complete() override;
+  void publish() override { target_.commit(); }
   void write_points(const SurfaceChunk& chunk);
   void write_triangles(const SurfaceChunk& chunk);
   void put_text(const std::string& text);
@@ -71,7 +73,7 @@ void VtkWriter::put_text(const std::string& text) {
   target_.file().write(std::as_bytes(std::span(text)));
 }
 
-void VtkWriter::finish() {
+void VtkWriter::complete() {
   const std::string vertices = std::to_string(points_.vertices());
   const std::string triangles = std::to_string(points_.triangles());
   const std::string numbers = std::to_string(4 * points_.triangles());
@@ -90,7 +92,7 @@ void VtkWriter::finish() {
   parts_.move_to(kPointIds, file);
   put_text("\n");
   bytes_written_ = file.position();
-  target_.commit();
+  target_.prepare();
 }
 
 }  // namespace

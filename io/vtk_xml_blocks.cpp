@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstdint>
-#include <cstring>
 #include <new>
 
 namespace stream_recon {
@@ -31,23 +31,49 @@ VtkXmlBlocks::VtkXmlBlocks() : compressor_(std::make_unique<Compressor>()) {
 }
 VtkXmlBlocks::~VtkXmlBlocks() = default;
 
-void VtkXmlBlocks::append(std::span<const std::byte> raw, std::vector<std::byte>& out) {
-  auto* const compressor = compressor_->handle.get();
+void VtkXmlBlocks::begin(std::uint64_t raw_bytes, File& file) {
+  file_ = &file;
+  header_at_ = file.position();
+  rest_ = raw_bytes;
   // Number of blocks, their size, the size of the last if it is not full, all compressed sizes.
-  std::vector<std::uint64_t> header{(raw.size() + kBlockBytes - 1) / kBlockBytes, kBlockBytes,
-                                    raw.size() % kBlockBytes};
-  const std::size_t header_bytes = (3 + header[0]) * sizeof(std::uint64_t);
-  const std::size_t header_at = out.size();
-  out.resize(header_at + header_bytes);
-  for (; !raw.empty(); raw = raw.subspan(std::min<std::size_t>(raw.size(), kBlockBytes))) {
-    const auto part = raw.first(std::min<std::size_t>(raw.size(), kBlockBytes));
-    block_.resize(libdeflate_zlib_compress_bound(compressor, part.size()));
-    const std::size_t size = libdeflate_zlib_compress(compressor, part.data(), part.size(),
-                                                      block_.data(), block_.size());
-    header.push_back(size);
-    out.insert(out.end(), block_.begin(), block_.begin() + static_cast<std::ptrdiff_t>(size));
+  header_ = {(raw_bytes + kBlockBytes - 1) / kBlockBytes, kBlockBytes, raw_bytes % kBlockBytes};
+  std::vector<std::uint64_t> unknown = header_;
+  unknown.resize(header_.size() + header_[0]);
+  file.write(std::as_bytes(std::span(unknown)));
+}
+
+void VtkXmlBlocks::put(std::span<const std::byte> raw) {
+  assert(raw.size() <= rest_);
+  rest_ -= raw.size();
+  while (!raw.empty()) {
+    const auto part = raw.first(std::min<std::size_t>(raw.size(), kBlockBytes - pending_.size()));
+    raw = raw.subspan(part.size());
+    if (part.size() == kBlockBytes) {
+      write_block(part);
+      continue;
+    }
+    pending_.insert(pending_.end(), part.begin(), part.end());
+    if (pending_.size() == kBlockBytes) {
+      write_block(pending_);
+      pending_.clear();
+    }
   }
-  std::memcpy(out.data() + header_at, header.data(), header_bytes);
+}
+
+void VtkXmlBlocks::end() {
+  assert(rest_ == 0);
+  if (!pending_.empty()) write_block(pending_);
+  pending_.clear();
+  file_->write_at(header_at_, std::as_bytes(std::span(header_)));
+}
+
+void VtkXmlBlocks::write_block(std::span<const std::byte> raw) {
+  auto* const compressor = compressor_->handle.get();
+  compressed_.resize(libdeflate_zlib_compress_bound(compressor, raw.size()));
+  const std::size_t size = libdeflate_zlib_compress(compressor, raw.data(), raw.size(),
+                                                    compressed_.data(), compressed_.size());
+  header_.push_back(size);
+  file_->write(std::span(compressed_).first(size));
 }
 
 }  // namespace stream_recon

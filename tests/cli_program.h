@@ -36,6 +36,17 @@ class CommandFolder {
   nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(bytes(name)); }
   std::vector<std::string> names() const { return folder_.names(); }
 
+  /// All bytes of a chunked result, but for its name.
+  std::string chunked_bytes(const std::string& name, const std::string& ending) const {
+    std::string all = bytes(name + ending);
+    const std::string stem = name + "/";
+    for (std::string::size_type at; (at = all.find(stem)) != std::string::npos;) {
+      all.erase(at, stem.size());
+    }
+    for (const std::string& chunk : list_folder(path(name))) all += chunk + bytes(stem + chunk);
+    return all;
+  }
+
  private:
   std::string log(const std::string& name) const { return logs_ / name; }
 

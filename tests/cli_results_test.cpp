@@ -22,19 +22,6 @@ constexpr bool kMemoryIsOurs = false;
 constexpr bool kMemoryIsOurs = true;
 #endif
 
-/// All bytes of a chunked result.
-std::string result_bytes(const CommandFolder& folder, const std::string& name) {
-  std::string bytes = folder.bytes(name + ".pvtp");
-  const std::string stem = name + "/";
-  for (std::string::size_type at; (at = bytes.find(stem)) != std::string::npos;) {
-    bytes.erase(at, stem.size());
-  }
-  for (const std::string& chunk : list_folder(folder.path(name))) {
-    bytes += chunk + file_bytes(folder.path(name) + "/" + chunk);
-  }
-  return bytes;
-}
-
 TEST(Results, AreTheSameBytesForEveryBudgetAndThreadCount) {
   const CommandFolder folder;
   for (const std::string kind : {"folded", "shell"}) {
@@ -42,14 +29,14 @@ TEST(Results, AreTheSameBytesForEveryBudgetAndThreadCount) {
     ASSERT_EQ(folder.run("make-cloud " + kind + " -n 60000 -o cloud.ply").exit_code, 0);
     const std::string run = "stream-recon cloud.ply --chunk-points 9000 ";
     ASSERT_EQ(folder.run(run + "-o first.pvtp --report first.json").exit_code, 0);
-    const std::string first = result_bytes(folder, "first");
+    const std::string first = folder.chunked_bytes("first", ".pvtp");
     const auto report = folder.json("first.json");
     for (const std::string options : {"--threads 1", "--threads 2", "--threads 3", "--threads 4",
                                       "--memory 80M", "--memory 120M --threads 1", "--memory 2G"}) {
       const Outcome outcome = folder.run("rm -rf next next.pvtp; " + run +
                                          "-o next.pvtp --report next.json " + options);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-      EXPECT_EQ(result_bytes(folder, "next") == first, true) << options;
+      EXPECT_EQ(folder.chunked_bytes("next", ".pvtp") == first, true) << options;
       for (const char* part : {"input", "delaunay", "surface", "windows"}) {
         EXPECT_EQ(folder.json("next.json")[part], report[part]) << options;
       }

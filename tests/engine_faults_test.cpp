@@ -23,12 +23,23 @@ std::string write_cloud(const TestFolder& folder) {
   return folder / "cloud.xyz";
 }
 
+struct Outputs {
+  std::string surface;
+  std::string tetrahedra;
+};
+
+void PrintTo(const Outputs& outputs, std::ostream* out) {
+  *out << outputs.surface << " " << outputs.tetrahedra;
+}
+
 /// Runs with the n-th of the given calls failing; false once n is beyond the last call.
-bool run_with_fault(const std::string& cloud, const std::string& name, const FaultPlan& plan) {
+bool run_with_fault(const std::string& cloud, const Outputs& outputs, const FaultPlan& plan) {
   const TestFolder folder;
   RunOptions options;
   options.inputs = {cloud};
-  options.output = folder / name;
+  if (outputs.surface.empty()) options.surface = SurfaceKind::kNone;
+  if (!outputs.surface.empty()) options.output = folder / outputs.surface;
+  if (!outputs.tetrahedra.empty()) options.tetrahedra = folder / outputs.tetrahedra;
   options.chunk_points = 50;
   options.threads = 1;
   bool failed = false;
@@ -45,20 +56,33 @@ bool run_with_fault(const std::string& cloud, const std::string& name, const Fau
   return fired;
 }
 
-class Faults : public testing::TestWithParam<const char*> {};
-
-TEST_P(Faults, OfAFullDiskEndTheRunCleanly) {
-  const TestFolder folder;
-  const std::string cloud = write_cloud(folder);
-  std::uint64_t calls = 0;
-  const auto operations =
-      static_cast<unsigned>(IoOperation::kWrite) | static_cast<unsigned>(IoOperation::kOpen);
-  while (run_with_fault(cloud, GetParam(), {operations, calls, ENOSPC, true})) ++calls;
-  EXPECT_GT(calls, 10U);
+constexpr unsigned bit(IoOperation operation) {
+  return static_cast<unsigned>(operation);
 }
 
-INSTANTIATE_TEST_SUITE_P(Outputs, Faults, testing::Values("out.pvtp", "out.ply", "out.vtk"),
-                         [](const auto& test) { return std::string(test.param).substr(4); });
+class Faults : public testing::TestWithParam<Outputs> {
+ protected:
+  void fail_every_call(FaultPlan plan) const {
+    const TestFolder folder;
+    const std::string cloud = write_cloud(folder);
+    while (run_with_fault(cloud, GetParam(), plan)) ++plan.fail_at;
+    EXPECT_GT(plan.fail_at, 1U);
+  }
+};
+
+TEST_P(Faults, OfAFullDiskEndTheRunCleanly) {
+  fail_every_call({bit(IoOperation::kWrite) | bit(IoOperation::kOpen), 0, ENOSPC, true});
+}
+
+TEST_P(Faults, OfTheLastStepsLeaveNoOutputWithoutTheOther) {
+  fail_every_call({bit(IoOperation::kSync) | bit(IoOperation::kRename), 0, EIO});
+}
+
+INSTANTIATE_TEST_SUITE_P(Outputs, Faults,
+                         testing::Values(Outputs{"out.pvtp", ""}, Outputs{"out.ply", ""},
+                                         Outputs{"out.vtk", ""}, Outputs{"", "t.pvtu"},
+                                         Outputs{"out.pvtp", "t.pvtu"},
+                                         Outputs{"out.ply", "t.pvtu"}));
 
 }  // namespace
 }  // namespace stream_recon

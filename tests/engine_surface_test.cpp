@@ -25,10 +25,13 @@ using Ranks = std::array<PointRank, 3>;
 class RecordingWriter : public SurfaceWriter {
  public:
   void write(const SurfaceChunk& chunk) override { chunks.push_back(chunk); }
-  void finish() override {}
   std::uint64_t bytes_written() const override { return 0; }
 
   std::vector<SurfaceChunk> chunks;
+
+ private:
+  void complete() override {}
+  void publish() override {}
 };
 
 /// A point whose coordinates tell its rank; its input index is ten times the rank.

@@ -2,13 +2,15 @@
 stream_recon_test(engine_test PARALLEL
   SOURCES engine_budget_test.cpp engine_faults_test.cpp engine_order_test.cpp
     engine_progress_test.cpp engine_report_test.cpp engine_surface_test.cpp
+    engine_tetrahedra_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 
 if(STREAM_RECON_TOOLS)
   stream_recon_test(cli_test
-    SOURCES cli_errors_test.cpp cli_results_test.cpp
+    SOURCES cli_errors_test.cpp cli_results_test.cpp cli_tetrahedra_test.cpp
     LIBRARIES stream_recon::io GTest::gmock)
   add_dependencies(cli_test stream-recon make-cloud)
   target_compile_definitions(cli_test PRIVATE
-    STREAM_RECON_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+    STREAM_RECON_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}"
+    STREAM_RECON_VTK_PYTHON="${VTK_PYTHON}" STREAM_RECON_TESTS="${CMAKE_CURRENT_SOURCE_DIR}")
 endif()

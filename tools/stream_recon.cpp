@@ -23,7 +23,6 @@ struct CommandLine {
   RunOptions run;
   std::string surface = "gamma";
   std::string report;
-  std::string tetrahedra;
   std::string medial_axis;
   bool resume = false;
 };
@@ -55,7 +54,8 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
       ->option_text("DEG");
   app.add_option("--alpha", line.run.alpha, "alpha: radius of the ball, units of the input")
       ->option_text("R");
-  app.add_option("--tetrahedra", line.tetrahedra, "Not yet: the tetrahedra as OUT.pvtu")
+  app.add_option("--tetrahedra", line.run.tetrahedra,
+                 "Also the Delaunay tetrahedra: OUT.pvtu with a folder of chunks")
       ->option_text("OUT");
   app.add_option("--medial-axis", line.medial_axis, "Not yet: the medial axis as OUT.pvtp")
       ->option_text("OUT");
@@ -85,7 +85,7 @@ void add_resource_options(CLI::App& app, CommandLine& line) {
   add_size(app, "--scratch-limit", line.run.scratch_limit_bytes,
            "Disk that temporary files may take (default: no limit)");
   app.add_option("--chunk-points", line.run.chunk_points,
-                 "Points that share a chunk of the output (default: 250000)")
+                 "Points that share a chunk of the output (default: 100000)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
       ->option_text("N");
   app.add_flag("--resume", line.resume, "Not yet: go on after a kill");
@@ -113,7 +113,6 @@ void refuse_what_is_not_yet(const CommandLine& line) {
   if (line.surface != "gamma" && line.surface != "alpha" && line.surface != "none") {
     refuse("--surface " + line.surface, "use gamma, alpha or none");
   }
-  if (!line.tetrahedra.empty()) refuse("--tetrahedra", "leave it out");
   if (!line.medial_axis.empty()) refuse("--medial-axis", "leave it out");
   if (line.resume) refuse("--resume", "leave it out and start again");
 }

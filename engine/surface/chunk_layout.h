@@ -4,6 +4,7 @@
 // or memory. A simplex belongs to the chunk of its vertex of lowest rank. Thread rule: a value.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "engine/windows/final_window.h"
@@ -18,6 +19,10 @@ struct ChunkLayout {
     return point_count / points_per_chunk + (point_count % points_per_chunk != 0 ? 1 : 0);
   }
   std::uint64_t chunk_of(PointRank rank) const { return rank / points_per_chunk; }
+  PointRank first_rank(std::uint64_t chunk) const { return chunk * points_per_chunk; }
+  PointRank end_rank(std::uint64_t chunk) const {
+    return std::min(first_rank(chunk) + points_per_chunk, point_count);
+  }
 };
 
 }  // namespace stream_recon

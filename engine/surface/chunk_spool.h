@@ -85,16 +85,27 @@ class ChunkSpool {
 
   std::uint64_t count(std::uint64_t chunk) const { return chunks_[chunk].count; }
 
+  /// Calls visit(span) for the records of a chunk, a block at a time. \pre finish() \throw IoError
+  template <class Visit>
+  void visit(std::uint64_t chunk, const Visit& visit) const {
+    const Chunk& source = chunks_[chunk];
+    std::vector<Record> records(records_per_block_);
+    std::uint64_t rest = source.count;
+    for (const std::uint64_t block : source.blocks) {
+      const auto part = std::span(records).first(std::min<std::uint64_t>(records.size(), rest));
+      reader_->read_at(block * records_per_block_, part);
+      visit(std::span<const Record>(part));
+      rest -= part.size();
+    }
+  }
+
   /// The caller reserves count() records. \pre finish() \throw IoError
   std::vector<Record> records(std::uint64_t chunk) const {
-    const Chunk& source = chunks_[chunk];
-    std::vector<Record> records(source.count);
-    std::span<Record> rest(records);
-    for (const std::uint64_t block : source.blocks) {
-      const auto part = rest.first(std::min<std::size_t>(records_per_block_, rest.size()));
-      reader_->read_at(block * records_per_block_, part);
-      rest = rest.subspan(part.size());
-    }
+    std::vector<Record> records;
+    records.reserve(count(chunk));
+    visit(chunk, [&records](std::span<const Record> part) {
+      records.insert(records.end(), part.begin(), part.end());
+    });
     return records;
   }
 

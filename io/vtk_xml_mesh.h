@@ -1,0 +1,41 @@
+// What the VTK XML files of surfaces and of tetrahedra have in common: points, ends of cells,
+// index.
+//
+// Guarantees: the same elements and arrays in both. Memory: the text; arrays are made in pieces of
+// 100 KB. Thread rule: pure functions. Layout: docs/formats.md.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/coordinates.h"
+#include "io/vtk_xml_document.h"
+#include "spatial/point.h"
+
+namespace stream_recon {
+
+struct VtkXmlPoints {
+  std::span<const Point3> points;
+  std::span<const std::uint64_t> global_ids;  ///< of each point
+  Scalar scalar = Scalar::kFloat64;
+};
+
+/// Adds point data GlobalPointId, then the points. \pre The spans outlive document.write().
+void add_points(VtkXmlDocument& document, const VtkXmlPoints& points);
+
+/// Adds where each of `cells` cells of `corners` points ends in the list of corners.
+/// \throw IoError more corners than 32 bits count
+void add_cell_ends(VtkXmlDocument& document, std::uint64_t cells, std::uint32_t corners);
+
+/// The whole file that names the pieces of a dataset.
+struct VtkXmlIndex {
+  std::string type;       ///< of the pieces: "PolyData"
+  std::string cell_data;  ///< its PCellData element
+  Scalar scalar = Scalar::kFloat64;
+  std::vector<std::string> pieces;  ///< paths, relative to the index
+};
+std::string index_text(const VtkXmlIndex& index);
+
+}  // namespace stream_recon
