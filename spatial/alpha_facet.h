@@ -9,6 +9,7 @@
 // Thread rule: pure functions. Source: Edelsbrunner, Muecke 1994, section 5.
 #pragma once
 
+#include "spatial/ball_estimate.h"
 #include "spatial/facet_balls.h"
 
 namespace stream_recon {
@@ -22,5 +23,20 @@ RadiusInterval empty_ball_radii(const FacetBalls& balls);
 
 /// \param alpha radius > 0, units of the input
 bool is_alpha_facet(const FacetBalls& balls, double alpha);
+
+class AlphaCriterion {
+ public:
+  /// \param alpha radius > 0, units of the input
+  explicit AlphaCriterion(double alpha) : alpha_(alpha) {}
+
+  bool takes(const FacetBalls& balls) const { return is_alpha_facet(balls, alpha_); }
+
+  /// What takes() would say of the accurate balls, if the estimates are enough to know. One of the
+  /// balls may be the half-space. A facet that is out at the hull is out beside any ball.
+  Verdict judge(const BallEstimate& one, const BallEstimate& two) const;
+
+ private:
+  double alpha_;
+};
 
 }  // namespace stream_recon

@@ -75,6 +75,7 @@ class CellArray {
 
   Cell& operator[](std::size_t i) { return cells_[i]; }
   const Cell& operator[](std::size_t i) const { return cells_[i]; }
+  const Cell* data() const { return cells_.data(); }
   /// Slots in use and free ones among them.
   std::size_t size() const { return size_; }
   std::size_t bytes() const {

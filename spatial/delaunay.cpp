@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "spatial/cell_array.h"
+#include "spatial/cell_view.h"
 #include "spatial/conflict_zone.h"
 #include "spatial/coordinate_range.h"
 #include "spatial/first_simplex.h"
@@ -177,6 +178,13 @@ CellId Delaunay::neighbor(CellId c, int i) const {
 }
 int Delaunay::mirror_index(CellId c, int i) const {
   return static_cast<int>(detail::facet_of(impl_->cells[c].link[i]));
+}
+
+CellView Delaunay::view() const {
+  return CellView({.cells = impl_->cells.data(),
+                   .slots = cell_slots(),
+                   .points = impl_->points.data(),
+                   .scale = impl_->scale});
 }
 
 std::size_t Delaunay::finite_cell_count() const {

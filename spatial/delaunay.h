@@ -25,6 +25,8 @@ namespace stream_recon {
 using VertexId = std::uint32_t;
 using CellId = std::uint32_t;
 
+class CellView;
+
 class Delaunay {
  public:
   /// The vertex at infinity.
@@ -76,6 +78,9 @@ class Delaunay {
   CellId neighbor(CellId c, int i) const;
   /// Which facet of neighbor(c, i) that is.
   int mirror_index(CellId c, int i) const;
+
+  /// All of them at once, for loops (spatial/cell_view.h).
+  CellView view() const;
 
   std::size_t finite_cell_count() const;
   /// Bytes of memory in use, the peak of this object.

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace stream_recon {
 namespace {
-
-constexpr double kMargin = 1e-9;
 
 /// The angle in terms of the heights over the facet's radius, f and s: with r^2 = 1 + f^2 each,
 /// |x1 - x2|^2 - r1^2 - r2^2 = 2 (f s - 1), because the centres lie f + s apart on one line.
@@ -27,11 +26,22 @@ Angle angle_between(const FacetBalls& balls) {
   return {f * s - 1, std::hypot(1.0, f) * std::hypot(1.0, s), 1 + (f * f + s * s) / 2};
 }
 
+/// The height over the facet's radius at which the ball meets the hull's half-space at an angle of
+/// this cosine.
+double height_at_hull(double cosine) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  if (std::abs(cosine) >= 1) return std::copysign(kNever, cosine);
+  return cosine / std::sqrt((1 - cosine) * (1 + cosine));
+}
+
 }  // namespace
 
-// Through the sine so that 90 degrees is exactly zero.
+// Through the sine so that 90 degrees is exactly zero. An estimate is off by an error that moves
+// the cosine at the hull by less than two of it; one more is for the margin and rounding.
 GammaCriterion::GammaCriterion(double delta_max_degrees)
-    : cosine_(std::sin((90 - delta_max_degrees) * std::numbers::pi / 180)) {}
+    : cosine_(std::sin((90 - delta_max_degrees) * std::numbers::pi / 180)),
+      hull_out_below_(height_at_hull(cosine_ - 3 * BallEstimate::kError)),
+      hull_in_above_(height_at_hull(cosine_ + 3 * BallEstimate::kError)) {}
 
 bool GammaCriterion::takes(const FacetBalls& balls) const {
   const Angle angle = angle_between(balls);

@@ -12,13 +12,12 @@ class AlphaFilter : public FacetFilter {
  public:
   /// \param alpha radius > 0, units of the input
   AlphaFilter(double alpha, FacetSink& sink, const StopRequest& stop)
-      : FacetFilter(TriangleSource::kAlpha, sink, stop), alpha_(alpha) {}
+      : FacetFilter(TriangleSource::kAlpha, sink, stop), criterion_(alpha) {}
 
- protected:
-  bool takes(const FacetBalls& balls) const override { return is_alpha_facet(balls, alpha_); }
+  void consume(const FinalWindow& window) override { filter(window, criterion_); }
 
  private:
-  double alpha_;
+  AlphaCriterion criterion_;
 };
 
 }  // namespace stream_recon

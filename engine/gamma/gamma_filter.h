@@ -14,8 +14,7 @@ class GammaFilter : public FacetFilter {
   GammaFilter(double delta_max_degrees, FacetSink& sink, const StopRequest& stop)
       : FacetFilter(TriangleSource::kGamma, sink, stop), criterion_(delta_max_degrees) {}
 
- protected:
-  bool takes(const FacetBalls& balls) const override { return criterion_.takes(balls); }
+  void consume(const FinalWindow& window) override { filter(window, criterion_); }
 
  private:
   GammaCriterion criterion_;

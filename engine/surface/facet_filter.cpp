@@ -2,68 +2,234 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "engine/windows/final_simplices.h"
+#include "spatial/alpha_facet.h"
+#include "spatial/cell_balls.h"
+#include "spatial/facet_balls.h"
 #include "spatial/gamma_facet.h"
 
 namespace stream_recon {
 namespace {
 
-constexpr std::size_t kCellsPerTask = 1 << 14;
+constexpr CellId kBlock = 1 << 12;
+constexpr std::size_t kMostWaiting = 256;
+constexpr std::size_t kMostTaken = (std::size_t{64} << 10) / sizeof(FacetRecord);
+
+struct Facet {
+  CellId cell;
+  int side;
+};
+
+struct WaitingFacet {
+  Facet facet;
+  BallEstimate near;  ///< of its cell
+};
 
 /// A facet with its vertices by ascending rank.
 struct RankedFacet {
   std::array<VertexId, 3> vertices;
   std::array<PointRank, 3> ranks;
-  bool reversed;  ///< an odd permutation of the order it was given in
+  bool reversed = false;  ///< an odd permutation of the order it was given in
+
+  RankedFacet(const FinalWindow& window, const std::array<VertexId, 3>& v)
+      : vertices(v), ranks{window.rank(v[0]), window.rank(v[1]), window.rank(v[2])} {
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
+  }
+
+  void order(int i, int j) {
+    if (ranks[i] < ranks[j]) return;
+    std::swap(ranks[i], ranks[j]);
+    std::swap(vertices[i], vertices[j]);
+    reversed = !reversed;
+  }
 };
 
-RankedFacet by_rank(const FinalWindow& window, std::array<VertexId, 3> v) {
-  bool reversed = false;
-  const auto order = [&](int i, int j) {
-    if (window.rank(v[i]) < window.rank(v[j])) return;
-    std::swap(v[i], v[j]);
-    reversed = !reversed;
+/// One pass over the cells of a window, block by block. A facet is looked at from the lower in
+/// number of its two cells; where the other lies beyond the block, it waits to be one of many.
+template <class Criterion>
+class FacetPass {
+ public:
+  struct Output {
+    TriangleSource source;
+    FacetSink& sink;
   };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return {v, {window.rank(v[0]), window.rank(v[1]), window.rank(v[2])}, reversed};
-}
 
-/// The vertex of the neighbouring cell that is not in the facet.
-VertexId apex_beyond(const Delaunay& delaunay, CellId cell, int side) {
-  return delaunay.vertices(delaunay.neighbor(cell, side))[delaunay.mirror_index(cell, side)];
-}
+  FacetPass(const FinalWindow& window, const Criterion& criterion, const Output& output)
+      : window_(window),
+        cells_(window.delaunay().view()),
+        criterion_(criterion),
+        output_(output),
+        estimator_(cells_),
+        place_(kBlock),
+        balls_(kBlock),
+        candidates_(4 * kBlock + 1) {
+    block_.reserve(kBlock);
+    waiting_.reserve(kMostWaiting);
+    beyond_.reserve(kMostWaiting);
+    taken_.reserve(kMostTaken);
+  }
+
+  void run(const StopRequest& stop) {
+    for (begin_ = 0; begin_ < cells_.slots(); begin_ = end_) {
+      stop.check();
+      end_ = begin_ + std::min(kBlock, cells_.slots() - begin_);
+      visit_block();
+    }
+    decide_waiting();
+    output_.sink.add(taken_);
+  }
+
+ private:
+  void visit_block() {
+    block_.clear();
+    for (CellId cell = begin_; cell < end_; ++cell) {
+      if (!cells_.is_live(cell) || !has_owned_vertex(cell)) continue;
+      if (cells_.is_infinite(cell)) {
+        visit_hull(cell);
+      } else {
+        place_[cell - begin_] = static_cast<std::uint32_t>(block_.size());
+        block_.push_back(cell);
+      }
+    }
+    estimator_.estimate(block_, balls_);
+    find_candidates();
+    for (const Facet& facet : std::span(candidates_).first(candidate_count_)) visit(facet);
+  }
+
+  /// The facets that the near ball alone does not rule out. Which ones is hard to predict: no
+  /// branches.
+  void find_candidates() {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < block_.size(); ++i) {
+      for (int side = 0; side < 4; ++side) {
+        const bool is_first = cells_.neighbor(block_[i], side) > block_[i];
+        const bool is_open =
+            criterion_.judge(balls_[i].from(side), BallEstimate{}) != Verdict::kOut;
+        candidates_[count] = {block_[i], side};
+        count += static_cast<std::size_t>(is_first) & static_cast<std::size_t>(is_open);
+      }
+    }
+    candidate_count_ = count;
+  }
+
+  const CellBall& ball_of(CellId cell) const { return balls_[place_[cell - begin_]]; }
+
+  bool has_owned_vertex(CellId cell) const {
+    const auto v = cells_.vertices(cell);
+    return window_.owns_vertex(std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
+  }
+
+  /// From an infinite cell: its finite facet waits if the cell behind it will not look at it.
+  void visit_hull(CellId cell) {
+    constexpr int kFinite = 3;
+    if (cells_.neighbor(cell, kFinite) < cell) return;
+    if (emits(window_, cells_.facet(cell, kFinite))) wait({cell, kFinite}, BallEstimate{});
+  }
+
+  void visit(const Facet& facet) {
+    const auto [cell, side] = facet;
+    if (!emits(window_, cells_.facet(cell, side))) return;
+    const BallEstimate near = ball_of(cell).from(side);
+    const CellId beyond = cells_.neighbor(cell, side);
+    if (beyond >= end_) {
+      wait(facet, near);
+    } else if (cells_.is_infinite(beyond)) {
+      decide(facet, near, BallEstimate{});
+    } else {
+      decide(facet, near, ball_of(beyond).from(cells_.mirror_index(cell, side)));
+    }
+  }
+
+  void wait(const Facet& facet, const BallEstimate& near) {
+    waiting_.push_back({facet, near});
+    if (waiting_.size() == kMostWaiting) decide_waiting();
+  }
+
+  void decide_waiting() {
+    beyond_.clear();
+    for (const WaitingFacet& w : waiting_) {
+      const CellId beyond = cells_.neighbor(w.facet.cell, w.facet.side);
+      if (!cells_.is_infinite(beyond)) beyond_.push_back(beyond);
+    }
+    estimator_.estimate(beyond_, beyond_balls_);
+    std::size_t i = 0;
+    for (const WaitingFacet& w : waiting_) {
+      const CellId beyond = cells_.neighbor(w.facet.cell, w.facet.side);
+      const bool is_hull = cells_.is_infinite(beyond);
+      decide(w.facet, w.near,
+             is_hull ? BallEstimate{}
+                     : beyond_balls_[i].from(cells_.mirror_index(w.facet.cell, w.facet.side)));
+      i += is_hull ? 0 : 1;
+    }
+    waiting_.clear();
+  }
+
+  void decide(const Facet& facet, const BallEstimate& near, const BallEstimate& far) {
+    const Verdict verdict = criterion_.judge(near, far);
+    if (verdict != Verdict::kOut) take(facet, verdict == Verdict::kIn);
+  }
+
+  /// Takes the facet, unless the accurate balls have the last word and are against it.
+  void take(Facet inner, bool is_sure) {
+    Facet outer{cells_.neighbor(inner.cell, inner.side),
+                cells_.mirror_index(inner.cell, inner.side)};
+    if (cells_.is_infinite(inner.cell)) std::swap(inner, outer);
+    const bool is_hull = cells_.is_infinite(outer.cell);
+    const RankedFacet facet(window_, cells_.facet(inner.cell, inner.side));
+    const FacetBalls balls = accurate_balls(facet, inner, outer);
+    if (!is_sure && !criterion_.takes(balls)) return;
+    FacetRecord record{facet.ranks, static_cast<float>(gamma_angle(balls)), output_.source};
+    if (is_hull) record.facing = facet.reversed ? Facing::kInward : Facing::kOutward;
+    taken_.push_back(record);
+    if (taken_.size() < kMostTaken) return;
+    output_.sink.add(taken_);
+    taken_.clear();
+  }
+
+  FacetBalls accurate_balls(const RankedFacet& facet, const Facet& inner,
+                            const Facet& outer) const {
+    const std::array<Point3, 3> corners{cells_.point(facet.vertices[0]),
+                                        cells_.point(facet.vertices[1]),
+                                        cells_.point(facet.vertices[2])};
+    const Point3 apex = cells_.point(cells_.vertex(inner.cell, inner.side));
+    if (cells_.is_infinite(outer.cell)) return hull_facet_balls(corners, apex);
+    return facet_balls(corners, apex, cells_.point(cells_.vertex(outer.cell, outer.side)));
+  }
+
+  const FinalWindow& window_;
+  const CellView cells_;
+  const Criterion& criterion_;
+  const Output output_;
+  BallEstimator estimator_;
+  CellId begin_ = 0;  ///< of the block
+  CellId end_ = 0;
+  std::vector<CellId> block_;         ///< its finite cells with an owned vertex
+  std::vector<std::uint32_t> place_;  ///< in block_, by cell from begin_ on
+  std::vector<CellBall> balls_;       ///< of block_
+  std::vector<Facet> candidates_;
+  std::size_t candidate_count_ = 0;
+  std::vector<WaitingFacet> waiting_;
+  std::vector<CellId> beyond_;
+  std::array<CellBall, kMostWaiting> beyond_balls_;
+  std::vector<FacetRecord> taken_;
+};
 
 }  // namespace
 
-void FacetFilter::consume(const FinalWindow& window) {
-  const Delaunay& delaunay = window.delaunay();
-  for (std::size_t begin = 0; begin < delaunay.cell_slots(); begin += kCellsPerTask) {
-    const std::size_t end = std::min<std::size_t>(begin + kCellsPerTask, delaunay.cell_slots());
-    stop_.check();
-    std::vector<FacetRecord> taken;
-    const CellRange range{static_cast<CellId>(begin), static_cast<CellId>(end)};
-    for_each_final_facet(window, range, [&](CellId cell, int side) {
-      const auto facet = by_rank(window, facet_vertices(delaunay, cell, side));
-      const std::array<Point3, 3> corners{delaunay.point(facet.vertices[0]),
-                                          delaunay.point(facet.vertices[1]),
-                                          delaunay.point(facet.vertices[2])};
-      const Point3 apex = delaunay.point(delaunay.vertices(cell)[side]);
-      const bool hull = delaunay.is_infinite(delaunay.neighbor(cell, side));
-      const FacetBalls balls =
-          hull ? hull_facet_balls(corners, apex)
-               : facet_balls(corners, apex, delaunay.point(apex_beyond(delaunay, cell, side)));
-      if (!takes(balls)) return;
-      FacetRecord record{facet.ranks, static_cast<float>(gamma_angle(balls)), source_};
-      if (hull) record.facing = facet.reversed ? Facing::kInward : Facing::kOutward;
-      taken.push_back(record);
-    });
-    sink_.add(taken);
-  }
+template <class Criterion>
+void FacetFilter::filter(const FinalWindow& window, const Criterion& criterion) {
+  FacetPass<Criterion>(window, criterion, {source_, sink_}).run(stop_);
 }
+
+template void FacetFilter::filter(const FinalWindow&, const GammaCriterion&);
+template void FacetFilter::filter(const FinalWindow&, const AlphaCriterion&);
 
 }  // namespace stream_recon

@@ -1,14 +1,17 @@
 // Takes the facets of a window that satisfy a criterion on their two empty balls.
 //
 // Guarantees: each facet of the cloud is asked about once, by the window that emits it, with the
-// same bits whatever the window: its points go in by rank. Thread rule: consume() from one thread
-// at a time; it spreads the work itself and calls takes() from many.
+// same bits whatever the window: its points go in by rank. Most facets are decided on estimates
+// that the facets of a tetrahedron share; the rest, and the angles of the taken ones, on the
+// accurate balls, so that estimates save time and change nothing.
+// Thread rule: consume() from many threads at once, each with its own window; it works in one.
+// Memory: about 350 KB a call; facets go to the sink in buffers of 64 KB.
+// Cost: about 70 ns a tetrahedron and 200 ns a taken facet.
 #pragma once
 
 #include "engine/interrupt.h"
 #include "engine/surface/facet_sink.h"
 #include "engine/windows/final_window.h"
-#include "spatial/facet_balls.h"
 
 namespace stream_recon {
 
@@ -18,10 +21,10 @@ class FacetFilter : public WindowConsumer {
   FacetFilter(TriangleSource source, FacetSink& sink, const StopRequest& stop)
       : source_(source), sink_(sink), stop_(stop) {}
 
-  void consume(const FinalWindow& window) override;
-
  protected:
-  virtual bool takes(const FacetBalls& balls) const = 0;
+  /// Made for GammaCriterion and AlphaCriterion.
+  template <class Criterion>
+  void filter(const FinalWindow& window, const Criterion& criterion);
 
  private:
   TriangleSource source_;

@@ -4,6 +4,8 @@
 #include <array>
 #include <ctime>
 
+#include "spatial/cell_view.h"
+
 namespace stream_recon {
 namespace {
 
@@ -134,13 +136,14 @@ std::vector<LeafNumber> CertifiedWindow::find_conflicts() {
   std::vector<LeafNumber> leaves;
   std::vector<OpenCell> open;
   open.reserve(kCellsSorted);
-  is_certified_.resize(delaunay_.cell_slots());
-  for (CellId cell = 0; cell < delaunay_.cell_slots(); ++cell) {
-    if (is_certified_[cell] || !delaunay_.is_live(cell)) continue;
-    const auto v = delaunay_.vertices(cell);
+  const CellView cells = delaunay_.view();
+  is_certified_.resize(cells.slots());
+  for (CellId cell = 0; cell < cells.slots(); ++cell) {
+    if (is_certified_[cell] || !cells.is_live(cell)) continue;
+    const auto v = cells.vertices(cell);
     const VertexId lowest = std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
     if (lowest >= owned_.count) continue;
-    if (counts_.rounds == 1 && delaunay_.is_infinite(cell)) continue;
+    if (counts_.rounds == 1 && cells.is_infinite(cell)) continue;
     open.push_back({lowest, cell});
     if (open.size() < kCellsSorted) continue;
     certify(open, leaves);

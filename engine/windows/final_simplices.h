@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "engine/windows/final_window.h"
+#include "spatial/cell_view.h"
 
 namespace stream_recon {
 
@@ -16,41 +18,38 @@ struct CellRange {
   CellId end = 0;
 };
 
+/// Whether the window emits the simplex of these vertices.
+template <std::size_t kCorners>
+bool emits(const FinalWindow& window, const std::array<VertexId, kCorners>& vertices) {
+  std::size_t owned = 0;
+  for (const VertexId v : vertices) owned += window.owns_vertex(v) ? 1 : 0;
+  if (owned == 0 || owned == kCorners) return owned != 0;
+  PointRank lowest = window.rank(vertices[0]);
+  for (const VertexId v : vertices) lowest = std::min(lowest, window.rank(v));
+  return window.owns(lowest);
+}
+
 /// Calls visit(cell) for each finite tetrahedron of the range that the window emits.
 template <class Visit>
 void for_each_final_tetrahedron(const FinalWindow& window, CellRange range, const Visit& visit) {
-  const Delaunay& delaunay = window.delaunay();
+  const CellView cells = window.delaunay().view();
   for (CellId cell = range.begin; cell < range.end; ++cell) {
-    if (!delaunay.is_live(cell) || delaunay.is_infinite(cell)) continue;
-    const auto v = delaunay.vertices(cell);
-    const PointRank lowest = std::min(std::min(window.rank(v[0]), window.rank(v[1])),
-                                      std::min(window.rank(v[2]), window.rank(v[3])));
-    if (window.owns(lowest)) visit(cell);
+    if (!cells.is_live(cell) || cells.is_infinite(cell)) continue;
+    if (emits(window, cells.vertices(cell))) visit(cell);
   }
-}
-
-/// The three vertices opposite vertex `side` of a cell, seen counterclockwise from outside the
-/// cell.
-inline std::array<VertexId, 3> facet_vertices(const Delaunay& delaunay, CellId cell, int side) {
-  static constexpr int kFacet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  const auto v = delaunay.vertices(cell);
-  return {v[kFacet[side][0]], v[kFacet[side][1]], v[kFacet[side][2]]};
 }
 
 /// Calls visit(cell, side) for each finite facet that the window emits, from the finite cell of
 /// lower number among its two; that cell lies in the range.
 template <class Visit>
 void for_each_final_facet(const FinalWindow& window, CellRange range, const Visit& visit) {
-  const Delaunay& delaunay = window.delaunay();
+  const CellView cells = window.delaunay().view();
   for (CellId cell = range.begin; cell < range.end; ++cell) {
-    if (!delaunay.is_live(cell) || delaunay.is_infinite(cell)) continue;
+    if (!cells.is_live(cell) || cells.is_infinite(cell)) continue;
     for (int side = 0; side < 4; ++side) {
-      const CellId beyond = delaunay.neighbor(cell, side);
-      if (beyond < cell && !delaunay.is_infinite(beyond)) continue;
-      const auto v = facet_vertices(delaunay, cell, side);
-      const PointRank lowest =
-          std::min(window.rank(v[0]), std::min(window.rank(v[1]), window.rank(v[2])));
-      if (window.owns(lowest)) visit(cell, side);
+      const CellId beyond = cells.neighbor(cell, side);
+      if (beyond < cell && !cells.is_infinite(beyond)) continue;
+      if (emits(window, cells.facet(cell, side))) visit(cell, side);
     }
   }
 }

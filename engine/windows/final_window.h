@@ -38,6 +38,8 @@ class FinalWindow {
 
   std::uint64_t input_index(VertexId v) const { return parts_.input_indices[v]; }
 
+  bool owns_vertex(VertexId v) const { return v < parts_.owned_count; }
+
   bool owns(PointRank rank) const {
     return rank >= parts_.first_rank && rank - parts_.first_rank < parts_.owned_count;
   }
@@ -49,7 +51,8 @@ class FinalWindow {
 class WindowConsumer {
  public:
   virtual ~WindowConsumer() = default;
-  /// Takes what the window emits; the window is dropped afterwards.
+  /// Takes what the window emits; the window is dropped afterwards. Called from several threads at
+  /// once, each with another window.
   virtual void consume(const FinalWindow& window) = 0;
 };
 

@@ -3,12 +3,13 @@
 #include "engine/windows/final_simplices.h"
 
 namespace stream_recon {
+
 void TetrahedraCensus::consume(const FinalWindow& window) {
-  const Delaunay& delaunay = window.delaunay();
+  const CellView cells = window.delaunay().view();
   std::uint64_t count = 0;
   SimplexDigest digest;
-  for_each_final_tetrahedron(window, {0, delaunay.cell_slots()}, [&](CellId cell) {
-    const auto v = delaunay.vertices(cell);
+  for_each_final_tetrahedron(window, {0, cells.slots()}, [&](CellId cell) {
+    const auto v = cells.vertices(cell);
     digest.add<4>({window.input_index(v[0]), window.input_index(v[1]), window.input_index(v[2]),
                    window.input_index(v[3])});
     ++count;
