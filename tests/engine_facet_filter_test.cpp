@@ -19,8 +19,8 @@
 namespace stream_recon {
 namespace {
 
-constexpr std::uint64_t kPoints = 3000;
-constexpr ChunkLayout kLayout{700, kPoints};
+constexpr std::uint64_t kPoints = 900;
+constexpr ChunkLayout kLayout{200, kPoints};
 
 /// A window that holds all points of the cloud and owns those from `first` to `last`.
 struct TestWindow {
