@@ -42,7 +42,7 @@ struct RunOptions {
   unsigned threads = 0;  ///< 0: all of the machine
   /// Points that a window owns at most; 0: as many as the memory allows. Changes no output.
   std::uint64_t window_points = 0;
-  std::string scratch;   ///< existing folder; empty: beside the output
+  std::string scratch;  ///< existing folder; empty: beside the output
   std::uint64_t scratch_limit_bytes = std::numeric_limits<std::uint64_t>::max();
 
   ProgressStyle progress = ProgressStyle::kNone;

@@ -1,8 +1,9 @@
 #include "spatial/circumball.h"
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
 #include <limits>
-#include <optional>
 
 namespace stream_recon {
 namespace {
@@ -17,9 +18,26 @@ struct Vector {
   T x, y, z;
 };
 
+/// (p - a) 2^exponent
 template <class T>
-Vector<T> difference(const Point3& p, const Point3& a) {
-  return {T(p.x) - T(a.x), T(p.y) - T(a.y), T(p.z) - T(a.z)};
+Vector<T> difference(const Point3& p, const Point3& a, int exponent) {
+  using std::ldexp;
+  const Vector<T> d{T(p.x) - T(a.x), T(p.y) - T(a.y), T(p.z) - T(a.z)};
+  if (exponent == 0) return d;
+  return {ldexp(d.x, exponent), ldexp(d.y, exponent), ldexp(d.z, exponent)};
+}
+
+// Edges in this range can be raised to the fourth power, and that times a rounding, in doubles.
+constexpr double kSmallest = 1e-60;
+constexpr double kLargest = 1e60;
+
+double longest_side(const std::array<Point3, 4>& p) {
+  double longest = 0;
+  for (int i = 1; i < 4; ++i) {
+    longest = std::max(
+        {longest, std::abs(p[i].x - p[0].x), std::abs(p[i].y - p[0].y), std::abs(p[i].z - p[0].z)});
+  }
+  return longest;
 }
 
 template <class T>
@@ -42,10 +60,10 @@ double to_double(const T& value) {
 // Forward error: each cross product is within 4 roundings of |v| |w| a component, so V is within 12
 // of |u| |v| |w| and the numerator within 12 of |u| |v| |w| (|u| + |v| + |w|) a component.
 template <class T>
-Circumball solve(const std::array<Point3, 4>& p, double roundoff) {
-  const Vector<T> u = difference<T>(p[1], p[0]);
-  const Vector<T> v = difference<T>(p[2], p[0]);
-  const Vector<T> w = difference<T>(p[3], p[0]);
+Circumball solve(const std::array<Point3, 4>& p, int exponent, double roundoff) {
+  const Vector<T> u = difference<T>(p[1], p[0], exponent);
+  const Vector<T> v = difference<T>(p[2], p[0], exponent);
+  const Vector<T> w = difference<T>(p[3], p[0], exponent);
   const Vector<T> vw = cross(v, w);
   const Vector<T> wu = cross(w, u);
   const Vector<T> uv = cross(u, v);
@@ -72,18 +90,27 @@ Circumball solve(const std::array<Point3, 4>& p, double roundoff) {
 }
 
 bool is_good(const Circumball& ball) {
-  return ball.centre_error <= kTolerance * ball.radius();
+  return ball.centre_error <= kTolerance * ball.radius() && std::isfinite(ball.centre_error);
 }
 
 }  // namespace
 
 Circumball circumball(const std::array<Point3, 4>& tetrahedron) {
-  const Circumball ball = solve<double>(tetrahedron, 0x1p-53);
-  if (is_good(ball)) return ball;
-  const Circumball extended =
-      solve<long double>(tetrahedron, std::numeric_limits<long double>::epsilon() / 2);
-  if (is_good(extended)) return extended;
-  return solve<Quad>(tetrahedron, 0x1p-113);
+  const double longest = longest_side(tetrahedron);
+  const bool is_usual = longest > kSmallest && longest < kLargest;
+  const int exponent = is_usual ? 0 : -std::ilogb(longest);
+  Circumball ball = solve<double>(tetrahedron, exponent, 0x1p-53);
+  if (!is_good(ball)) {
+    ball =
+        solve<long double>(tetrahedron, exponent, std::numeric_limits<long double>::epsilon() / 2);
+  }
+  if (!is_good(ball)) ball = solve<Quad>(tetrahedron, exponent, 0x1p-113);
+  if (exponent != 0) {
+    ball.centre = {std::ldexp(ball.centre.x, -exponent), std::ldexp(ball.centre.y, -exponent),
+                   std::ldexp(ball.centre.z, -exponent)};
+    ball.centre_error = std::ldexp(ball.centre_error, -exponent);
+  }
+  return ball;
 }
 
 }  // namespace stream_recon

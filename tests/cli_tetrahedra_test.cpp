@@ -80,18 +80,14 @@ TEST(TetrahedraFiles, AreTheIndexAndItsFolderAndTheSurfaceIsAsWithoutThem) {
   EXPECT_EQ(folder.bytes("s.ply") == folder.bytes("b.ply"), true);
 }
 
-TEST(TetrahedraFiles, NeedNoMoreMemoryThanTheRunIsToldAtItsStart) {
+TEST(TetrahedraFiles, OfACloudLargerThanTheMemoryKeepToIt) {
   const CommandFolder folder;
   ASSERT_EQ(folder.run("make-cloud cube -n 250000 -o cloud.ply").exit_code, 0);
-  const std::string run =
-      "stream-recon cloud.ply --surface none --tetrahedra t.pvtu --report r.json --memory ";
-  const Outcome refused = folder.run(run + "64M");
-  ASSERT_EQ(refused.exit_code, 69);
-  const std::string least =
-      std::to_string(std::stoull(refused.error.substr(refused.error.find("give --memory ") + 14)));
-  const Outcome outcome = folder.run(run + least + "M");
+  const Outcome outcome = folder.run(
+      "stream-recon cloud.ply --surface none --tetrahedra t.pvtu --report r.json --memory 64M");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   const auto report = folder.json("r.json");
+  EXPECT_GT(report["windows"]["count"], 2);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   EXPECT_LE(report["peak_rss_bytes"], report["memory_budget_bytes"]);
 #endif

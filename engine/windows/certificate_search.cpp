@@ -53,8 +53,12 @@ void CertificateSearch::search(const Delaunay& delaunay, const PresentPoints& pr
 
 void CertificateSearch::add_query(CellId cell) {
   const auto v = delaunay_->vertices(cell);
-  const Circumball ball = circumball({delaunay_->point(v[0]), delaunay_->point(v[1]),
-                                      delaunay_->point(v[2]), delaunay_->point(v[3])});
+  std::array<Point3, 4> corners;
+  for (int i = 0; i < 4; ++i) {
+    const Point3 p = delaunay_->point(v[i]);
+    corners[i] = {p.x * index_.scale, p.y * index_.scale, p.z * index_.scale};
+  }
+  const Circumball ball = circumball(corners);
   const double radius = search_radius(ball, index_.reach);
   const auto id = static_cast<std::uint32_t>(queries_.size());
   queries_.push_back({cell, ball, radius * radius, 0, kFinal});

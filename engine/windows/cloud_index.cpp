@@ -19,6 +19,12 @@ using namespace index_layout;
 
 constexpr std::size_t kPagesAtOnce = 32;
 
+// A cloud spans at most 390 bits (spatial/coordinate_range.h): with its largest coordinate in this
+// range the square of its least difference, and a rounding of that, are normal doubles; bounds are
+// floats.
+constexpr int kLeastMagnitude = -20;
+constexpr int kMostMagnitude = 100;
+
 [[noreturn]] void refuse_flat(std::uint64_t count, int dimension) {
   static constexpr const char* kShapes[] = {"at one place", "on one line", "in one plane"};
   const std::string lie =
@@ -41,6 +47,12 @@ void bound_page(std::span<const Point3> points, double reach, std::span<NodeBoun
     const std::size_t end = std::min<std::size_t>(leaves.end * kLeafPoints, points.size());
     nodes[node] = bounds_of_points(points.subspan(begin, end - begin), reach);
   }
+}
+
+double scale_of(const CoordinateRange& range) {
+  const bool is_usual = range.empty() || (range.magnitude_exponent >= kLeastMagnitude &&
+                                          range.magnitude_exponent <= kMostMagnitude);
+  return is_usual ? 1.0 : std::ldexp(1.0, std::clamp(-range.magnitude_exponent, -1023, 1023));
 }
 
 /// Four affinely independent points, found as the points go by.
@@ -82,14 +94,13 @@ class IndexBuilder {
       : context_(context), finder_(cloud.range) {
     index_.point_count = point_count;
     index_.range = cloud.range;
-    const Box3& box = cloud.box;
+    index_.scale = scale_of(cloud.range);
+    const Box3 box{scaled(cloud.box.low), scaled(cloud.box.high)};
     index_.origin = {box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2,
                      box.low.z / 2 + box.high.z / 2};
     index_.reach = 2 * std::max(largest_coordinate(box.low), largest_coordinate(box.high));
     const std::uint64_t pages = quotient_up(point_count, kPagePoints);
-    index_.memory = context.budget.reserve(pages * (sizeof(StoredPoint) + 2 * sizeof(NodeBounds)),
-                                           "the top of the index");
-    index_.page_samples.reserve(pages);
+    index_.memory = context.budget.reserve(pages * 2 * sizeof(NodeBounds), "the top of the index");
     index_.top.emplace_back().reserve(pages);
   }
 
@@ -102,6 +113,10 @@ class IndexBuilder {
   }
 
  private:
+  Point3 scaled(const Point3& p) const {
+    return {p.x * index_.scale, p.y * index_.scale, p.z * index_.scale};
+  }
+
   void write_pages() {
     constexpr std::size_t kBatchPoints = kPagesAtOnce * kPagePoints;
     const Reservation memory = context_.budget.reserve(
@@ -129,7 +144,7 @@ class IndexBuilder {
           const std::size_t points = std::min<std::size_t>(kPagePoints, count - first);
           const Point3& o = index_.origin;
           for (std::size_t i = first; i < first + points; ++i) {
-            const Point3& p = batch[i].point;
+            const Point3 p = scaled(batch[i].point);
             relative[i] = {p.x - o.x, p.y - o.y, p.z - o.z};
           }
           bound_page({&relative[first], points}, index_.reach,
@@ -137,7 +152,6 @@ class IndexBuilder {
         }
       });
       for (std::size_t page = 0; page < pages; ++page) {
-        index_.page_samples.push_back(batch[page * kPagePoints]);
         index_.top[0].push_back(nodes[page * kPageNodes]);
       }
       writer.append({nodes.data(), pages * kPageNodes});

@@ -2,7 +2,7 @@
 //
 // Guarantees: the bounds of every node hold all its points, conservatively (spatial/node_bounds.h).
 // Built in one streaming pass; pages lie in the scratch directory, the top stays in memory.
-// Thread rule: const and shared once built. Memory: 24 bytes for 1000 points; on disk 4 bytes a
+// Thread rule: const and shared once built. Memory: 16 bytes for 1000 points; on disk 4 bytes a
 // point, 2 when compressed. Source: packed Hilbert R-tree (Kamel, Faloutsos 1994).
 #pragma once
 
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "engine/order/ingest.h"
-#include "engine/order/stored_point.h"
 #include "engine/stage_context.h"
 #include "engine/windows/index_layout.h"
 #include "spatial/coordinate_range.h"
@@ -25,18 +24,18 @@ inline constexpr const char* kIndexPages = "index";
 struct CloudIndex {
   std::uint64_t point_count = 0;
   CoordinateRange range;
+  /// A power of two that brings the coordinates to where squares of lengths are doubles; 1 for all
+  /// but extreme clouds. Everything below and the search are in scaled coordinates.
+  double scale = 1;
   Point3 origin;     ///< of all node bounds
   double reach = 0;  ///< no coordinate, nor one relative to origin, is larger
   /// top[0] are the roots of the pages; four nodes of a level make one of the next; the last has
   /// one.
   std::vector<std::vector<NodeBounds>> top;
-  /// The first point of each page, for coarse samples.
-  std::vector<StoredPoint> page_samples;
   /// Ranks of four affinely independent points; any window that has them has tetrahedra.
   std::array<PointRank, 4> simplex{};
   Reservation memory;
 
-  std::uint64_t page_count() const { return page_samples.size(); }
   std::uint64_t leaf_count() const {
     return index_layout::quotient_up(point_count, index_layout::kLeafPoints);
   }

@@ -13,6 +13,9 @@ constexpr double kRoundoff = 0x1p-53;
 Point3 minus(const Point3& a, const Point3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+Point3 scaled(const Point3& p, double scale) {
+  return {p.x * scale, p.y * scale, p.z * scale};
+}
 double dot(const Point3& a, const Point3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -47,9 +50,9 @@ std::optional<LeafNumber> HalfSpaceSearch::search(const Delaunay& delaunay,
   present_ = &present;
   cell_ = cell;
   const auto v = delaunay.vertices(cell);
-  corner_ = delaunay.point(v[0]);
-  const Point3 u = minus(delaunay.point(v[1]), corner_);
-  const Point3 w = minus(delaunay.point(v[2]), corner_);
+  corner_ = scaled(delaunay.point(v[0]), index_.scale);
+  const Point3 u = minus(scaled(delaunay.point(v[1]), index_.scale), corner_);
+  const Point3 w = minus(scaled(delaunay.point(v[2]), index_.scale), corner_);
   corner_relative_ = minus(corner_, index_.origin);
   normal_ = cross(u, w);
   normal_length_ = length(normal_);
@@ -106,14 +109,13 @@ void HalfSpaceSearch::search_leaf(LeafNumber leaf) {
   const std::size_t offset = first % PointPage::kPoints;
   const std::uint64_t count = std::min(kLeafPoints, index_.point_count - first);
   for (std::size_t i = 0; i < count; ++i) {
-    const Point3 p = page.point(offset + i);
-    const Point3 q = minus(p, corner_);
+    const Point3 q = minus(page.scaled_point(offset + i), corner_);
     const double height = dot(normal_, q);
     const double error = (normal_error_ + 16 * kRoundoff * normal_length_) *
                          (std::abs(q.x) + std::abs(q.y) + std::abs(q.z));
     if (height + error < best_ || (conflict_ && height <= best_)) continue;
     if (present_->is_single(first + i)) continue;
-    if (height <= error && !delaunay_->in_conflict(cell_, p)) continue;
+    if (height <= error && !delaunay_->in_conflict(cell_, page.point(offset + i))) continue;
     conflict_ = leaf;
     best_ = std::max(best_, height);
   }

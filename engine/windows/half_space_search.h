@@ -37,7 +37,7 @@ class HalfSpaceSearch {
   const Delaunay* delaunay_ = nullptr;
   const PresentPoints* present_ = nullptr;
   CellId cell_ = 0;
-  Point3 corner_;           ///< of the facet
+  Point3 corner_;           ///< of the facet, scaled
   Point3 corner_relative_;  ///< to the origin of the index
   Point3 normal_;           ///< outward
   double normal_length_ = 0;

@@ -29,13 +29,14 @@ std::uint64_t IndexCaches::most_memory(std::uint64_t point_count) {
          (std::uint64_t{1} << 18);
 }
 
-IndexCaches::IndexCaches(const ScratchDirectory& scratch, std::uint64_t point_count,
+IndexCaches::IndexCaches(const ScratchDirectory& scratch, const CloudIndex& index,
                          std::uint64_t memory)
-    : node_file_(scratch.open(kIndexPages)),
+    : scale_(index.scale),
+      node_file_(scratch.open(kIndexPages)),
       point_file_(scratch.open(kPointStore)),
-      nodes_(std::max<std::uint64_t>(1, node_share(point_count, memory) / kNodePageBytes)),
+      nodes_(std::max<std::uint64_t>(1, node_share(index.point_count, memory) / kNodePageBytes)),
       points_(std::max<std::uint64_t>(
-          1, (memory - node_share(point_count, memory)) / kPointPageBytes)) {}
+          1, (memory - node_share(index.point_count, memory)) / kPointPageBytes)) {}
 
 const NodePage& IndexReader::nodes(std::uint64_t page) {
   if (page != node_page_) {
@@ -54,12 +55,14 @@ const PointPage& IndexReader::points_at(PointRank rank) {
     point_pin_ = caches_.points_.get(page, [&](PointPage& loaded) {
       const std::size_t count = caches_.point_file_.read_block(
           page, codec_, stored_, std::as_writable_bytes(std::span(block_)));
+      loaded.unscale = 1 / caches_.scale_;
+      const double s = caches_.scale_;
       for (std::size_t i = 0; i < PointPage::kPoints; ++i) {
         constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
         const bool there = i < count;
-        loaded.x[i] = there ? block_[i].point.x : kNothing;
-        loaded.y[i] = there ? block_[i].point.y : kNothing;
-        loaded.z[i] = there ? block_[i].point.z : kNothing;
+        loaded.x[i] = there ? block_[i].point.x * s : kNothing;
+        loaded.y[i] = there ? block_[i].point.y * s : kNothing;
+        loaded.z[i] = there ? block_[i].point.z * s : kNothing;
         loaded.input_index[i] = there ? block_[i].input_index : 0;
       }
     });

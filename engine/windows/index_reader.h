@@ -26,10 +26,12 @@ struct PointPage {
   static constexpr std::size_t kPoints = kPointStoreBlock / sizeof(StoredPoint);
   static_assert(kPoints % index_layout::kLeafPoints == 0);
 
-  std::array<double, kPoints> x, y, z;
+  std::array<double, kPoints> x, y, z;  ///< scaled (CloudIndex::scale)
   std::array<std::uint64_t, kPoints> input_index;
+  double unscale = 1;
 
-  Point3 point(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Point3 scaled_point(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Point3 point(std::size_t i) const { return {x[i] * unscale, y[i] * unscale, z[i] * unscale}; }
 };
 
 /// Files and caches behind all readers.
@@ -40,11 +42,12 @@ class IndexCaches {
   static std::uint64_t most_memory(std::uint64_t point_count);
 
   /// \throw IoError
-  IndexCaches(const ScratchDirectory& scratch, std::uint64_t point_count, std::uint64_t memory);
+  IndexCaches(const ScratchDirectory& scratch, const CloudIndex& index, std::uint64_t memory);
 
  private:
   friend class IndexReader;
 
+  double scale_;
   RecordFile<NodeBounds> node_file_;
   RecordFile<StoredPoint> point_file_;
   PageCache<NodePage> nodes_;

@@ -81,7 +81,7 @@ class WindowStage {
             plan.cache_bytes +
                 plan.threads * (plan.window_bytes + CertifiedWindow::fixed_memory(index)),
             "the windows")),
-        caches_(context.scratch, index.point_count, plan.cache_bytes) {}
+        caches_(context.scratch, index, plan.cache_bytes) {}
 
   WindowStageResult run() {
     context_.progress.begin_stage("delaunay", index_.point_count, "points");
