@@ -26,6 +26,7 @@ CertificateSearch::CertificateSearch(const CloudIndex& index, IndexReader& reade
   queries_.reserve(kMostCells);
   const std::size_t depth = index.top.size() + 5;
   for (std::size_t i = 0; i < depth; ++i) lists_.push_back(std::make_unique<BallList>());
+  refreshed_.resize(depth);
 }
 
 void CertificateSearch::search(const Delaunay& delaunay, const PresentPoints& present,
@@ -35,6 +36,7 @@ void CertificateSearch::search(const Delaunay& delaunay, const PresentPoints& pr
   queries_.clear();
   BallList& all = *lists_[0];
   all.count = 0;
+  refreshed_[0] = conflicts_found_;
   const std::uint64_t visits_before = half_spaces_.node_visits();
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (delaunay.is_infinite(cells[i])) {
@@ -67,8 +69,11 @@ void CertificateSearch::add_query(CellId cell) {
                   queries_.back().squared, id);
 }
 
-// Takes what leaves found meanwhile into account.
-void CertificateSearch::refresh(BallList& balls) const {
+// Takes into account what leaves found since the list was made.
+void CertificateSearch::refresh(std::size_t depth) {
+  if (refreshed_[depth] == conflicts_found_) return;
+  refreshed_[depth] = conflicts_found_;
+  BallList& balls = *lists_[depth];
   for (std::size_t i = 0; i < balls.count; ++i) balls.squared[i] = queries_[balls.id[i]].squared;
 }
 
@@ -77,6 +82,7 @@ bool CertificateSearch::narrow(const NodeBounds& bounds, const LeafRange& leaves
                                std::size_t depth) {
   if (bounds.empty() || present_->has_leaves(leaves)) return false;
   counts_.node_visits += lists_[depth]->count;
+  refreshed_[depth + 1] = refreshed_[depth];
   touching(*lists_[depth], NodeFrame(bounds), *lists_[depth + 1]);
   return lists_[depth + 1]->count > 0;
 }
@@ -91,7 +97,7 @@ void CertificateSearch::descend_top(std::size_t level, std::uint64_t node, std::
   std::uint64_t leaves = kPageLeaves;
   for (std::size_t l = 1; l < level; ++l) leaves *= kFanout;
   for (std::uint64_t child = kFanout * node; child < end; ++child) {
-    refresh(*lists_[depth]);
+    refresh(depth);
     if (narrow(index_.top[level - 1][child], {child * leaves, (child + 1) * leaves}, depth)) {
       descend_top(level - 1, child, depth + 1);
     }
@@ -101,6 +107,7 @@ void CertificateSearch::descend_top(std::size_t level, std::uint64_t node, std::
 void CertificateSearch::descend_page(std::uint64_t page, std::uint32_t node, std::size_t depth) {
   for (std::uint32_t child = 4 * node + 1; child <= 4 * node + 4; ++child) {
     const LeafRange leaves = leaves_below(page, child);
+    refresh(depth);
     if (!narrow(reader_.nodes(page).nodes[child], leaves, depth)) continue;
     if (child >= kFirstLeaf) {
       search_leaf(leaves.begin, *lists_[depth + 1]);
@@ -134,6 +141,7 @@ void CertificateSearch::look_closer(Query& query, LeafNumber leaf, const PointPa
     const bool is_certain = power + error < 0;
     if (!is_certain && !delaunay_->in_conflict(query.cell, page.point(offset + i))) continue;
     query.conflict = leaf;
+    ++conflicts_found_;
     query.best = std::min(query.best, power);
   }
   const double radius = search_radius(query.ball, index_.reach);

@@ -69,7 +69,7 @@ class CertificateSearch {
   bool narrow(const NodeBounds& bounds, const index_layout::LeafRange& leaves, std::size_t depth);
   void search_leaf(index_layout::LeafNumber leaf, const BallList& balls);
   void look_closer(Query& query, index_layout::LeafNumber leaf, const PointPage& page);
-  void refresh(BallList& balls) const;
+  void refresh(std::size_t depth);
 
   const CloudIndex& index_;
   IndexReader& reader_;
@@ -78,6 +78,8 @@ class CertificateSearch {
   const PresentPoints* present_ = nullptr;
   std::vector<Query> queries_;
   std::vector<std::unique_ptr<BallList>> lists_;  ///< by depth
+  std::uint64_t conflicts_found_ = 0;
+  std::vector<std::uint64_t> refreshed_;  ///< conflicts_found_ when the list was last right
   PointPowers powers_;
   SearchCounts counts_;
 };

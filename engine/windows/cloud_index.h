@@ -2,7 +2,7 @@
 //
 // Guarantees: the bounds of every node hold all its points, conservatively (spatial/node_bounds.h).
 // Built in one streaming pass; pages lie in the scratch directory, the top stays in memory.
-// Thread rule: const and shared once built. Memory: 16 bytes for 1000 points; on disk 4 bytes a
+// Thread rule: const and shared once built. Memory: 24 bytes for 1000 points; on disk 4 bytes a
 // point, 2 when compressed. Source: packed Hilbert R-tree (Kamel, Faloutsos 1994).
 #pragma once
 
