@@ -22,7 +22,7 @@ struct Vector {
 template <class T>
 Vector<T> difference(const Point3& p, const Point3& a, int exponent) {
   using std::ldexp;
-  const Vector<T> d{T(p.x) - T(a.x), T(p.y) - T(a.y), T(p.z) - T(a.z)};
+  Vector<T> d{T(p.x) - T(a.x), T(p.y) - T(a.y), T(p.z) - T(a.z)};
   if (exponent == 0) return d;
   return {ldexp(d.x, exponent), ldexp(d.y, exponent), ldexp(d.z, exponent)};
 }

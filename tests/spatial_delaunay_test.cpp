@@ -219,7 +219,7 @@ TEST(Delaunay, refuses_magnitudes_beyond_exact_arithmetic) {
 TEST(Delaunay, stops_at_its_memory_limit) {
   std::mt19937_64 random(4);
   const auto points = draw_distinct(families::random_point, 20000, random);
-  Delaunay limited(Delaunay::Options{.max_bytes = 1 << 20});
+  Delaunay limited(Delaunay::Options{.max_bytes = 1 << 20, .range = {}});
   EXPECT_EQ(limited.insert(points), Outcome::kOutgrown);
   EXPECT_LE(limited.bytes(), std::size_t{1} << 20);
 }

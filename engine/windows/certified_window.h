@@ -9,9 +9,9 @@
 // Source: docs/algorithms/windows.md
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "engine/interrupt.h"
@@ -65,7 +65,9 @@ class CertifiedWindow {
   struct OpenCell {
     VertexId lowest_vertex;
     CellId cell;
-    friend auto operator<=>(const OpenCell&, const OpenCell&) = default;
+    friend bool operator<(const OpenCell& a, const OpenCell& b) {
+      return std::tie(a.lowest_vertex, a.cell) < std::tie(b.lowest_vertex, b.cell);
+    }
   };
 
   void add_owned();

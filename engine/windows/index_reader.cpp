@@ -20,7 +20,7 @@ std::uint64_t node_share(std::uint64_t point_count, std::uint64_t memory) {
 }  // namespace
 
 std::uint64_t IndexCaches::least_memory(unsigned readers) {
-  return (readers + 4) * 4 * (kNodePageBytes + kPointPageBytes);
+  return (std::uint64_t{readers} + 4) * 4 * (kNodePageBytes + kPointPageBytes);
 }
 
 std::uint64_t IndexCaches::most_memory(std::uint64_t point_count) {

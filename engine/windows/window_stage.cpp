@@ -60,8 +60,9 @@ Plan make_plan(const CloudIndex& index, const WindowStageOptions& options,
   if (options.window_points != 0) points = std::min(points, options.window_points);
   const std::uint64_t evenly = quotient_up(index.point_count, kWindowsAThread * plan.threads);
   if (plan.threads > 1) points = std::min(points, std::max(evenly, kLeastOwned));
-  // All windows of about the same size.
-  const std::uint64_t windows = quotient_up(index.point_count, std::max(points, kLeafPoints));
+  // All windows of about the same size, and as many for every thread.
+  std::uint64_t windows = quotient_up(index.point_count, std::max(points, kLeafPoints));
+  if (windows > 1) windows = quotient_up(windows, plan.threads) * plan.threads;
   points = quotient_up(index.point_count, windows);
   // Whole pages make the index know at once what is in the window.
   const std::uint64_t step = points >= 4 * kPagePoints ? kPagePoints : kLeafPoints;
@@ -81,7 +82,8 @@ class WindowStage {
             plan.cache_bytes +
                 plan.threads * (plan.window_bytes + CertifiedWindow::fixed_memory(index)),
             "the windows")),
-        caches_(context.scratch, index, plan.cache_bytes) {}
+        caches_(context.scratch, index, plan.cache_bytes),
+        window_points_(plan.window_points) {}
 
   WindowStageResult run() {
     context_.progress.begin_stage("delaunay", index_.point_count, "points");
@@ -106,7 +108,7 @@ class WindowStage {
 
   OwnedRange next_range() {
     const std::lock_guard lock(mutex_);
-    const std::uint64_t count = std::min(plan_.window_points, index_.point_count - next_);
+    const std::uint64_t count = std::min(window_points_, index_.point_count - next_);
     const OwnedRange owned{next_, count};
     next_ += count;
     return owned;
@@ -134,6 +136,12 @@ class WindowStage {
     {
       const std::lock_guard lock(mutex_);
       ++result_.splits;
+      // Those to come are likely to outgrow it as well, and a split costs a window; but a few large
+      // stars must not make all of them small.
+      if (owned.count >= window_points_) {
+        const std::uint64_t fewer = std::max(owned.count * 3 / 4, plan_.window_points / 2);
+        window_points_ = quotient_up(fewer, kLeafPoints) * kLeafPoints;
+      }
     }
     const std::uint64_t half = quotient_up(owned.count / 2, kLeafPoints) * kLeafPoints;
     build_and_consume(window, {owned.first, half});
@@ -157,6 +165,7 @@ class WindowStage {
   IndexCaches caches_;
   std::mutex mutex_;
   PointRank next_ = 0;
+  std::uint64_t window_points_;  ///< of the windows to come
   WindowStageResult result_;
 };
 
