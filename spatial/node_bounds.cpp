@@ -122,6 +122,15 @@ NodeBounds empty_bounds() {
   return bounds;
 }
 
+double squared_diagonal(const NodeBounds& bounds) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double side = double{bounds.high[i]} - bounds.low[i];
+    sum += side * side;
+  }
+  return sum;
+}
+
 NodeBounds bounds_of_points(std::span<const Point3> points, double reach) {
   NodeBounds bounds = empty_bounds();
   if (points.empty()) return bounds;

@@ -32,6 +32,9 @@ static_assert(sizeof(NodeBounds) == 48 && std::is_trivially_copyable_v<NodeBound
 
 NodeBounds empty_bounds();
 
+/// Of the box. \pre not empty
+double squared_diagonal(const NodeBounds& bounds);
+
 /// Bounds of points, given relative to a common origin. Cost: about 10 ns a point and 150 a node.
 /// \param reach no coordinate of `points` and of their origin is larger, for the rounding of the
 ///        differences that they are

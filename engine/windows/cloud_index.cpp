@@ -18,6 +18,7 @@ namespace {
 using namespace index_layout;
 
 constexpr std::size_t kPagesAtOnce = 32;
+constexpr std::size_t kPageBytes = kPageNodes * sizeof(NodeBounds);
 
 // A cloud spans at most 390 bits (spatial/coordinate_range.h): with its largest coordinate in this
 // range the square of its least difference, and a rounding of that, are normal doubles; bounds are
@@ -117,49 +118,56 @@ class IndexBuilder {
     return {p.x * index_.scale, p.y * index_.scale, p.z * index_.scale};
   }
 
+  struct Batch {
+    std::vector<StoredPoint> points = std::vector<StoredPoint>(kPagesAtOnce * kPagePoints);
+    std::vector<Point3> relative = std::vector<Point3>(points.size());
+    std::vector<NodeBounds> nodes = std::vector<NodeBounds>(kPagesAtOnce * kPageNodes);
+    std::size_t count = 0;
+
+    std::size_t pages() const { return quotient_up(count, kPagePoints); }
+  };
+  static constexpr std::uint64_t kBatchMemory =
+      kPagesAtOnce *
+      (kPagePoints * (sizeof(StoredPoint) + sizeof(Point3)) + kPageNodes * sizeof(NodeBounds));
+
   void write_pages() {
-    constexpr std::size_t kBatchPoints = kPagesAtOnce * kPagePoints;
     const Reservation memory = context_.budget.reserve(
-        kBatchPoints * (sizeof(StoredPoint) + sizeof(Point3)) +
-            kPagesAtOnce * kPageNodes * sizeof(NodeBounds) + record_file_memory(kPointStoreBlock) +
-            record_file_memory(kPageNodes * sizeof(NodeBounds)),
+        kBatchMemory + record_file_memory(kPointStoreBlock) + record_file_memory(kPageBytes),
         "the pages of the index");
-    PointStoreReader store(context_.scratch, kPointStore);
-    auto writer =
-        create_records<NodeBounds>(context_.scratch, kIndexPages, kPageNodes * sizeof(NodeBounds));
-    std::vector<StoredPoint> batch(kBatchPoints);
-    std::vector<Point3> relative(kBatchPoints);
-    std::vector<NodeBounds> nodes(kPagesAtOnce * kPageNodes);
-    PointRank rank = 0;
     context_.progress.begin_stage("index", index_.point_count, "points");
-    while (const std::size_t count = store.read(batch)) {
+    PointStoreReader store(context_.scratch, kPointStore);
+    auto writer = create_records<NodeBounds>(context_.scratch, kIndexPages, kPageBytes);
+    Batch batch;
+    PointRank rank = 0;
+    while ((batch.count = store.read(batch.points)) > 0) {
       context_.stop.check();
-      for (std::size_t i = 0; i < count && finder_.dimension() < 3; ++i) {
-        finder_.offer(batch[i].point, rank + i);
+      for (std::size_t i = 0; i < batch.count && finder_.dimension() < 3; ++i) {
+        finder_.offer(batch.points[i].point, rank + i);
       }
-      const std::size_t pages = quotient_up(count, kPagePoints);
-      parallel_for_ranges(pages, 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t page = begin; page < end; ++page) {
-          const std::size_t first = page * kPagePoints;
-          const std::size_t points = std::min<std::size_t>(kPagePoints, count - first);
-          const Point3& o = index_.origin;
-          for (std::size_t i = first; i < first + points; ++i) {
-            const Point3 p = scaled(batch[i].point);
-            relative[i] = {p.x - o.x, p.y - o.y, p.z - o.z};
-          }
-          bound_page({&relative[first], points}, index_.reach,
-                     {&nodes[page * kPageNodes], kPageNodes});
-        }
+      parallel_for_ranges(batch.pages(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t page = begin; page < end; ++page) bound(batch, page);
       });
-      for (std::size_t page = 0; page < pages; ++page) {
-        index_.top[0].push_back(nodes[page * kPageNodes]);
+      for (std::size_t page = 0; page < batch.pages(); ++page) {
+        index_.top[0].push_back(batch.nodes[page * kPageNodes]);
       }
-      writer.append({nodes.data(), pages * kPageNodes});
-      rank += count;
-      context_.progress.advance(count);
+      writer.append({batch.nodes.data(), batch.pages() * kPageNodes});
+      rank += batch.count;
+      context_.progress.advance(batch.count);
     }
     writer.finish();
     context_.progress.end_stage();
+  }
+
+  void bound(Batch& batch, std::size_t page) const {
+    const std::size_t first = page * kPagePoints;
+    const std::size_t count = std::min<std::size_t>(kPagePoints, batch.count - first);
+    const Point3& o = index_.origin;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const Point3 p = scaled(batch.points[i].point);
+      batch.relative[i] = {p.x - o.x, p.y - o.y, p.z - o.z};
+    }
+    bound_page({&batch.relative[first], count}, index_.reach,
+               {&batch.nodes[page * kPageNodes], kPageNodes});
   }
 
   void make_top() {

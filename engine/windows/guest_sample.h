@@ -5,10 +5,10 @@
 // Thread rule: pure but for the reader. Cost: about 1 % of the window's triangulation.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "engine/windows/index_reader.h"
+#include "engine/windows/owned_range.h"
 
 namespace stream_recon {
 
@@ -17,13 +17,6 @@ struct GuestSampleOptions {
   double halo = 1;
   /// Nodes farther than this many of their own diagonals give one point.
   double far = 2;
-};
-
-struct OwnedRange {
-  PointRank first = 0;  ///< a multiple of 16
-  std::uint64_t count = 0;
-
-  PointRank end() const { return first + count; }
 };
 
 struct GuestSample {
