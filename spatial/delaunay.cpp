@@ -113,6 +113,10 @@ Delaunay::~Delaunay() = default;
 Delaunay::Delaunay(Delaunay&&) noexcept = default;
 Delaunay& Delaunay::operator=(Delaunay&&) noexcept = default;
 
+void Delaunay::set_max_bytes(std::size_t max_bytes) {
+  impl_->options.max_bytes = max_bytes;
+}
+
 Delaunay::Outcome Delaunay::insert(std::span<const Point3> added) {
   Impl& self = *impl_;
   assert(!self.is_unusable);

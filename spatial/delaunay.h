@@ -53,6 +53,9 @@ class Delaunay {
   Delaunay(Delaunay&&) noexcept;
   Delaunay& operator=(Delaunay&&) noexcept;
 
+  /// Changes Options::max_bytes for what is inserted from now on.
+  void set_max_bytes(std::size_t max_bytes);
+
   /// Adds points. They should come in a spatially coherent order (Hilbert); the randomness that
   /// the cost needs is made inside.
   /// \pre All finite, distinct from each other and from those before.

@@ -80,8 +80,11 @@ void CertifiedWindow::clear() {
 }
 
 std::uint64_t CertifiedWindow::bytes() const {
-  return delaunay_.bytes() + pending_.capacity() * sizeof(Point3) +
-         guest_ranks_.capacity() * sizeof(PointRank) +
+  return delaunay_.bytes() + bytes_beside();
+}
+
+std::uint64_t CertifiedWindow::bytes_beside() const {
+  return pending_.capacity() * sizeof(Point3) + guest_ranks_.capacity() * sizeof(PointRank) +
          input_indices_.capacity() * sizeof(std::uint64_t) + is_certified_.capacity() / 8;
 }
 
@@ -124,6 +127,9 @@ void CertifiedWindow::add_first_guests() {
 
 bool CertifiedWindow::insert_pending() {
   const Stopwatch watch(counts_.insert_seconds);
+  const std::uint64_t beside = bytes_beside();
+  if (beside >= memory_bytes_) return false;
+  delaunay_.set_max_bytes(memory_bytes_ - beside);
   if (delaunay_.insert(pending_) != Delaunay::Outcome::kDone) return false;
   pending_.clear();
   return bytes() <= memory_bytes_;
@@ -150,8 +156,6 @@ std::vector<LeafNumber> CertifiedWindow::find_conflicts() {
     open.clear();
   }
   certify(open, leaves);
-  std::sort(leaves.begin(), leaves.end());
-  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
   counts_.search.add(search_.take_counts());
   return leaves;
 }
@@ -174,6 +178,9 @@ void CertifiedWindow::certify(std::span<OpenCell> open, std::vector<LeafNumber>&
     }
     open = open.subspan(count);
   }
+  // Many cells name the same leaf.
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
 }
 
 FinalWindow CertifiedWindow::view() const {

@@ -70,6 +70,7 @@ class CertifiedWindow {
     }
   };
 
+  std::uint64_t bytes_beside() const;  ///< besides the Delaunay structure
   void add_owned();
   void add_guest(PointRank rank);
   void add_leaf(index_layout::LeafNumber leaf);
