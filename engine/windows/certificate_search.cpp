@@ -94,11 +94,9 @@ void CertificateSearch::descend_top(std::size_t level, std::uint64_t node, std::
   }
   const std::uint64_t end =
       std::min<std::uint64_t>(kFanout * (node + 1), index_.top[level - 1].size());
-  std::uint64_t leaves = kPageLeaves;
-  for (std::size_t l = 1; l < level; ++l) leaves *= kFanout;
   for (std::uint64_t child = kFanout * node; child < end; ++child) {
     refresh(depth);
-    if (narrow(index_.top[level - 1][child], {child * leaves, (child + 1) * leaves}, depth)) {
+    if (narrow(index_.top[level - 1][child], leaves_below_top(level - 1, child), depth)) {
       descend_top(level - 1, child, depth + 1);
     }
   }

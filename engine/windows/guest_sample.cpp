@@ -67,13 +67,10 @@ class Sampling {
   }
 
   void visit_top(std::uint32_t level, std::uint64_t node) {
-    std::uint64_t pages = 1;
-    for (std::uint32_t l = 0; l < level; ++l) pages *= kFanout;
-    const std::uint64_t first_page = node * pages;
-    switch (choose(index_.top[level][node],
-                   {first_page * kPageLeaves, (first_page + pages) * kPageLeaves})) {
+    const LeafRange leaves = leaves_below_top(level, node);
+    switch (choose(index_.top[level][node], leaves)) {
       case Choice::kOne:
-        sample_.singles.push_back(first_page * kPagePoints);
+        sample_.singles.push_back(leaves.begin * kLeafPoints);
         break;
       case Choice::kDescend:
         if (level == 0) {

@@ -6,6 +6,7 @@
 // the pages are the lowest level of the top, which stays in memory: 16 bytes for 1000 points.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "engine/windows/final_window.h"
@@ -43,6 +44,14 @@ constexpr LeafRange leaves_below(std::uint64_t page, std::uint32_t node) {
   }
   const LeafNumber begin = page * kPageLeaves + (first - kFirstLeaf);
   return {begin, begin + count};
+}
+
+/// The leaves below a node of the top, level 0 being the roots of the pages; the last node of a
+/// level may reach beyond the end of the cloud.
+constexpr LeafRange leaves_below_top(std::size_t level, std::uint64_t node) {
+  std::uint64_t count = kPageLeaves;
+  for (std::size_t l = 0; l < level; ++l) count *= kFanout;
+  return {node * count, (node + 1) * count};
 }
 
 }  // namespace stream_recon::index_layout
