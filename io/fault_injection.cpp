@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cassert>
+#include <csignal>
 
 namespace stream_recon {
 namespace {
@@ -32,7 +33,12 @@ int detail::injected_error(IoOperation operation) {
   if ((active_plan.operations & static_cast<unsigned>(operation)) == 0) return 0;
   const std::uint64_t call = calls.fetch_add(1, std::memory_order_relaxed);
   const bool fails = active_plan.stays ? call >= active_plan.fail_at : call == active_plan.fail_at;
+  if (fails && operation != IoOperation::kWrite) die_if_planned();
   return fails ? active_plan.error : 0;
+}
+
+void detail::die_if_planned() {
+  if (active_plan.kills) std::raise(SIGKILL);
 }
 
 }  // namespace stream_recon

@@ -1,9 +1,9 @@
 // Makes chosen system calls fail, so that tests can walk every failure an operating system can
 // produce (after the fault injecting environment of LevelDB, Ghemawat and Dean 2011).
 //
-// Guarantees: without a plan the library pays one atomic load a call. A failing write stores half
-// of its bytes first, as a disk that fills up does. Thread rule: set and clear while no other
-// thread is in a call of this layer; counting itself is thread-safe.
+// Guarantees: without a plan the library pays one atomic load a call. A failing or killing write
+// stores half of its bytes first, as a disk that fills up does. Thread rule: set and clear while no
+// other thread is in a call of this layer; counting itself is thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +29,8 @@ struct FaultPlan {
   int error = 0;
   /// Whether all counted calls after it fail too (a disk that stays full).
   bool stays = false;
+  /// The call kills the process instead, as power cuts and impatient people do.
+  bool kills = false;
 };
 
 /// Holds a plan in force while it lives; one at a time.
@@ -44,8 +46,10 @@ class ScopedFault {
 };
 
 namespace detail {
-/// The errno that this call must report, 0 for none.
+/// The errno that this call must report, 0 for none. Kills the process if that is the plan, unless
+/// the call is a write, which calls die_if_planned() when half of it is done.
 int injected_error(IoOperation operation);
+void die_if_planned();
 }  // namespace detail
 
 }  // namespace stream_recon

@@ -55,6 +55,7 @@ void write_all(std::span<const std::byte> data, int descriptor, const std::strin
   const auto [done, error] = move_all(part, descriptor, POLLOUT, call);
   total_written.fetch_add(done, std::memory_order_relaxed);
   if (injected == 0 && error == 0 && done == data.size()) return;
+  if (injected != 0) detail::die_if_planned();
   const int reason = error != 0 ? error : injected != 0 ? injected : EIO;
   throw_system_error(piece("write", data.size(), offset), path, reason);
 }

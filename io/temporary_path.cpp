@@ -1,9 +1,15 @@
 #include "io/temporary_path.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <cstdio>
 #include <deque>
+#include <exception>
+#include <filesystem>
 #include <mutex>
 #include <random>
 #include <stdexcept>
@@ -47,6 +53,24 @@ void remove_entry(const std::string& path, TemporaryPath::Kind kind) noexcept {
   }
 }
 
+constexpr std::string_view kMark = ".partial-";
+constexpr std::size_t kDigits = 16;
+constexpr std::size_t kProcessDigits = 12;
+
+/// Those of the process, then a count. Random, not the process id: containers that share a disk
+/// have equal process ids; with it, since a child begins with its parent's memory.
+std::string next_digits() {
+  static std::mutex mutex;
+  static std::uint32_t own = 0;
+  static std::uint16_t count = 0;
+  const std::lock_guard lock(mutex);
+  if (count == 0) own = std::random_device()();
+  std::array<char, kDigits + 1> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08x%04x%04x", own,
+                static_cast<unsigned>(getpid()) & 0xffff, static_cast<unsigned>(count++));
+  return digits.data();
+}
+
 }  // namespace
 
 TemporaryPath::TemporaryPath(std::string path, Kind kind)
@@ -69,11 +93,35 @@ void TemporaryPath::keep() noexcept {
 }
 
 std::string temporary_name_beside(const std::string& path) {
-  // Random, not the process id: containers that share a disk have equal process ids.
-  std::random_device random;
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%08x%08x", random(), random());
-  return path + ".partial-" + digits.data();
+  return path + std::string(kMark) + next_digits();
+}
+
+bool is_temporary_name_beside(std::string_view name, std::string_view base) {
+  if (!name.starts_with(base)) return false;
+  name.remove_prefix(base.size());
+  if (!name.starts_with(kMark)) return false;
+  name.remove_prefix(kMark.size());
+  return name.size() == kDigits && std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+         });
+}
+
+void remove_left_beside(const std::string& path, const std::string& of_process) noexcept {
+  try {
+    const std::string own = of_process.substr(of_process.size() - kDigits, kProcessDigits);
+    const std::string folder = parent_folder(path);
+    const std::string base = std::filesystem::path(path).filename().string();
+    for (const std::string& name : list_folder(folder)) {
+      if (!is_temporary_name_beside(name, base)) continue;
+      if (name.compare(base.size() + kMark.size(), kProcessDigits, own) != 0) continue;
+      const std::string left = folder + "/" + name;
+      remove_entry(left,
+                   is_folder(left) ? TemporaryPath::Kind::kFolder : TemporaryPath::Kind::kFile);
+    }
+  } catch (const std::exception&) {
+    // What cannot be listed cannot be tidied either: the run will say what is wrong with the
+    // folder.
+  }
 }
 
 void remove_temporary_paths() noexcept {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace stream_recon {
 
@@ -32,8 +33,16 @@ class TemporaryPath {
   std::size_t slot_;
 };
 
-/// A name beside `path` that nobody else uses: `path` + ".partial-" + 16 random hex digits.
+/// A name beside `path` that nobody else uses: `path` + ".partial-" + 16 hex digits, of which the
+/// first 12 are the process' own and random.
 std::string temporary_name_beside(const std::string& path);
+
+/// Whether temporary_name_beside(`base`) may be `name`.
+bool is_temporary_name_beside(std::string_view name, std::string_view base);
+
+/// Removes what the process that made the temporary name `of_process` has left beside `path`.
+/// \pre That process is no more.
+void remove_left_beside(const std::string& path, const std::string& of_process) noexcept;
 
 /// Removes all temporary paths of the process. Safe in a signal handler; the process should end
 /// after it (_exit).

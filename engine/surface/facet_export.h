@@ -1,0 +1,55 @@
+// How the facets of the surface go from the windows to their chunks.
+//
+// Guarantees: a facet belongs to the chunk of its vertex of lowest rank; the border points and
+// edges of a chunk are those that facets of earlier chunks use, once a use.
+// Thread rule: export_facets() as its writer; the rest const access from many.
+#pragma once
+
+#include <span>
+#include <tuple>
+
+#include "engine/surface/chunk_layout.h"
+#include "engine/surface/edge_census.h"
+#include "engine/surface/facet_record.h"
+#include "engine/windows/export_reader.h"
+#include "engine/windows/export_writer.h"
+
+namespace stream_recon {
+
+/// A point that a facet of the earlier chunk `user` has as a vertex.
+struct BorderPoint {
+  PointRank rank = 0;
+  std::uint64_t user = 0;
+
+  friend bool operator==(const BorderPoint&, const BorderPoint&) = default;
+  friend bool operator<(const BorderPoint& a, const BorderPoint& b) {
+    return std::tie(a.rank, a.user) < std::tie(b.rank, b.user);
+  }
+};
+
+/// \throw IoError
+void export_facets(std::span<const FacetRecord> facets, const ChunkLayout& layout,
+                   ExportWriter& out);
+
+/// What all windows have exported. \pre The reader outlives it.
+class ExportedFacets {
+ public:
+  ExportedFacets(const ExportReader& reader, const ChunkLayout& layout)
+      : layout_(layout),
+        facets_(reader, ExportKind::kFacets),
+        border_points_(reader, ExportKind::kBorderPoints),
+        border_edges_(reader, ExportKind::kBorderEdges) {}
+
+  const ChunkLayout& layout() const { return layout_; }
+  const ExportedRecords<FacetRecord>& facets() const { return facets_; }
+  const ExportedRecords<BorderPoint>& border_points() const { return border_points_; }
+  const ExportedRecords<BorderEdge>& border_edges() const { return border_edges_; }
+
+ private:
+  ChunkLayout layout_;
+  ExportedRecords<FacetRecord> facets_;
+  ExportedRecords<BorderPoint> border_points_;
+  ExportedRecords<BorderEdge> border_edges_;
+};
+
+}  // namespace stream_recon
