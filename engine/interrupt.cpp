@@ -13,6 +13,7 @@
 namespace stream_recon {
 namespace {
 
+constexpr int kResumableExit = 75;
 constexpr int kInterruptedExit = 130;
 constexpr auto kGrace = std::chrono::seconds(2);
 constexpr auto kPoll = std::chrono::milliseconds(50);
@@ -40,9 +41,10 @@ void watch(StopRequest& stop, const std::atomic<bool>& done) {
   const auto deadline = std::chrono::steady_clock::now() + kGrace;
   while (!done && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(kPoll);
   if (done) return;
+  const bool is_resumable = stop.is_resumable();
   remove_temporary_paths();
-  std::fputs("stream-recon: interrupted: nothing was kept; start again\n", stderr);
-  _exit(kInterruptedExit);
+  std::fprintf(stderr, "stream-recon: %s\n", interrupted_message(is_resumable));
+  _exit(is_resumable ? kResumableExit : kInterruptedExit);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "engine/pipeline.h"
 
 #include <memory>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "engine/alpha/alpha_filter.h"
@@ -11,12 +9,10 @@
 #include "engine/order/ingest.h"
 #include "engine/stage_log.h"
 #include "engine/surface/assembly.h"
-#include "engine/surface/facet_sink.h"
 #include "engine/tetrahedra/tetrahedra_assembly.h"
 #include "engine/tetrahedra/tetrahedra_collector.h"
-#include "engine/tetrahedra/tetrahedra_sink.h"
 #include "engine/windows/cloud_index.h"
-#include "engine/windows/tetrahedra_census.h"
+#include "engine/windows/export_reader.h"
 #include "engine/windows/window_stage.h"
 #include "io/surface_writer.h"
 #include "io/tetrahedra_writer.h"
@@ -27,12 +23,12 @@ namespace {
 /// Facets that tasks have found and not yet handed to the sink, bytes.
 constexpr std::uint64_t kConsumerMemory = std::uint64_t{8} << 20;
 
-std::unique_ptr<FacetFilter> make_filter(const RunOptions& options, FacetSink& sink,
+std::unique_ptr<FacetFilter> make_filter(const RunOptions& options, const ChunkLayout& layout,
                                          const StopRequest& stop) {
   if (options.surface == SurfaceKind::kAlpha) {
-    return std::make_unique<AlphaFilter>(options.alpha, sink, stop);
+    return std::make_unique<AlphaFilter>(options.alpha, layout, stop);
   }
-  return std::make_unique<GammaFilter>(options.delta_max_degrees, sink, stop);
+  return std::make_unique<GammaFilter>(options.delta_max_degrees, layout, stop);
 }
 
 Scalar scalar_of(const CloudSummary& cloud) {
@@ -41,43 +37,46 @@ Scalar scalar_of(const CloudSummary& cloud) {
 
 class Pipeline {
  public:
-  Pipeline(const RunOptions& options, const StageContext& context, Report& report)
-      : options_(options), context_(context), report_(report) {}
+  Pipeline(const RunOptions& options, const StageContext& context, RunJournal& journal,
+           Report& report)
+      : options_(options), context_(context), journal_(journal), report_(report) {}
 
   void run() {
-    const CloudSummary cloud = log_.run("ingest", [&] { return read_input(); });
-    log_.add_bytes_read(cloud.bytes);
-    const auto writer = make_writer(cloud);
+    const CloudSummary cloud = journal_.once(&Manifest::cloud, [&] { return read_input(); });
+    const auto surface_writer = make_writer(cloud);
     const auto tetrahedra_writer = make_tetrahedra_writer(cloud);
-    const OrderResult order = log_.run("order", [&] { return hilbert_sort(cloud, context_); });
-    report_.input.duplicates = order.duplicates;
-    auto facets = make_sink<FacetSink>(order, writer != nullptr);
-    const auto tetrahedra = make_sink<TetrahedraSink>(order, tetrahedra_writer != nullptr);
-    {
-      const CloudIndex index =
-          log_.run("index", [&] { return build_index(cloud, order.point_count, context_); });
-      log_.run("windows", [&] { run_windows(index, facets.get(), tetrahedra.get()); });
-      context_.scratch.remove(kIndexPages);
+    const OrderResult order = journal_.once(&Manifest::order, [&] { return sort(cloud); });
+    context_.scratch.remove(kIngestSpool);
+    const ChunkLayout layout{options_.chunk_points, order.point_count};
+    run_windows(cloud, layout);
+    const ExportReader exports(context_.scratch, context_.budget);
+    if (surface_writer != nullptr) {
+      log_.run("surface", [&] { build_surface({exports, layout}, *surface_writer); });
     }
-    if (facets != nullptr) log_.run("surface", [&] { build_surface(*facets, *writer); });
-    facets.reset();
-    if (tetrahedra != nullptr) {
-      log_.run("tetrahedra",
-               [&] { assemble_tetrahedra(*tetrahedra, *tetrahedra_writer, context_); });
+    if (tetrahedra_writer != nullptr) {
+      log_.run("tetrahedra", [&] {
+        assemble_tetrahedra({exports, layout}, *tetrahedra_writer, context_);
+      });
     }
-    if (writer != nullptr || tetrahedra_writer != nullptr) {
-      log_.run("write", [&] { finish(writer.get(), tetrahedra_writer.get()); });
+    if (surface_writer != nullptr || tetrahedra_writer != nullptr) {
+      log_.run("write", [&] { finish(surface_writer.get(), tetrahedra_writer.get()); });
     }
+    report_input(cloud, order);
     report_.stages = log_.stages();
     report_.seconds = log_.seconds();
   }
 
  private:
   CloudSummary read_input() {
-    const CloudSummary cloud = ingest({options_.inputs, options_.input_format}, context_);
-    report_.input.points = cloud.points;
-    report_.input.rejected = cloud.rejected;
+    const CloudSummary cloud = log_.run("ingest", [&] {
+      return ingest({options_.inputs, options_.input_format}, context_);
+    });
+    log_.add_bytes_read(cloud.bytes);
     return cloud;
+  }
+
+  OrderResult sort(const CloudSummary& cloud) {
+    return log_.run("order", [&] { return hilbert_sort(cloud, context_); });
   }
 
   /// Made before the work, so that a name that cannot be written is found out early.
@@ -91,43 +90,33 @@ class Pipeline {
         TetrahedraWriterOptions{options_.tetrahedra, scalar_of(cloud)});
   }
 
-  template <class Sink>
-  std::unique_ptr<Sink> make_sink(const OrderResult& order, bool is_wanted) const {
-    if (!is_wanted) return nullptr;
-    const ChunkLayout layout{options_.chunk_points, order.point_count};
-    return std::make_unique<Sink>(layout, SpoolOptions{&context_.scratch, &context_.budget});
+  /// Those that the journal lacks.
+  void run_windows(const CloudSummary& cloud, const ChunkLayout& layout) {
+    const std::uint64_t points = layout.point_count;
+    if (points == 0 || journal_.windows().done_points() < points) {
+      const CloudIndex index =
+          log_.run("index", [&] { return build_index(cloud, points, context_); });
+      log_.run("windows", [&] { build_windows(index, layout); });
+      context_.scratch.remove(kIndexPages);
+    }
+    report_windows(journal_.windows().totals);
   }
 
-  void run_windows(const CloudIndex& index, FacetSink* facets, TetrahedraSink* tetrahedra) {
+  void build_windows(const CloudIndex& index, const ChunkLayout& layout) {
     const Reservation memory = context_.budget.reserve(kConsumerMemory, "facets on their way");
-    TetrahedraCensus census;
-    std::vector<WindowConsumer*> consumers{&census};
+    std::vector<WindowConsumer*> consumers;
     std::unique_ptr<FacetFilter> filter;
-    if (facets != nullptr) {
-      filter = make_filter(options_, *facets, context_.stop);
+    if (options_.surface != SurfaceKind::kNone) {
+      filter = make_filter(options_, layout, context_.stop);
       consumers.push_back(filter.get());
     }
-    std::optional<TetrahedraCollector> collector;
-    if (tetrahedra != nullptr) {
-      consumers.push_back(&collector.emplace(*tetrahedra, context_.stop));
-    }
-    const WindowStageResult result =
-        run_window_stage(index, consumers, {report_.threads, options_.window_points}, context_);
-    if (facets != nullptr) facets->finish();
-    if (tetrahedra != nullptr) tetrahedra->finish();
-
-    report_.delaunay = {census.count(), census.digest().hex()};
-    report_.windows = {.count = result.windows,
-                       .splits = result.splits,
-                       .guests = result.counts.guests,
-                       .rounds = result.counts.rounds,
-                       .queries = result.counts.search.queries,
-                       .node_visits = result.counts.search.node_visits,
-                       .insert_seconds = result.counts.insert_seconds,
-                       .search_seconds = result.counts.search_seconds};
+    TetrahedraCollector collector(layout, context_.stop);
+    if (!options_.tetrahedra.empty()) consumers.push_back(&collector);
+    run_window_stage({index, consumers, [this](const auto& w) { journal_.note_windows(w); }},
+                     journal_.windows(), {report_.threads, options_.window_points}, context_);
   }
 
-  void build_surface(const FacetSink& facets, SurfaceWriter& writer) {
+  void build_surface(const ExportedFacets& facets, SurfaceWriter& writer) {
     const SurfaceCounts counts = assemble_surface(facets, writer, context_);
     report_.surface.vertices = counts.vertices;
     report_.surface.triangles = counts.triangles;
@@ -135,6 +124,22 @@ class Pipeline {
     report_.surface.nonmanifold_edges = counts.nonmanifold_edges;
     report_.surface.euler = counts.euler();
     report_.surface.digest = counts.digest.hex();
+  }
+
+  void report_input(const CloudSummary& cloud, const OrderResult& order) {
+    report_.input = {cloud.points, order.duplicates, cloud.rejected};
+  }
+
+  void report_windows(const WindowTotals& totals) {
+    report_.delaunay = {totals.tetrahedra.count, totals.tetrahedra.digest.hex()};
+    report_.windows = {.count = totals.windows,
+                       .splits = totals.splits,
+                       .guests = totals.counts.guests,
+                       .rounds = totals.counts.rounds,
+                       .queries = totals.counts.search.queries,
+                       .node_visits = totals.counts.search.node_visits,
+                       .insert_seconds = totals.counts.insert_seconds,
+                       .search_seconds = totals.counts.search_seconds};
   }
 
   /// All outputs or none: what can run into a full disk comes before the first final name, and the
@@ -149,14 +154,16 @@ class Pipeline {
 
   const RunOptions& options_;
   const StageContext& context_;
+  RunJournal& journal_;
   Report& report_;
   StageLog log_;
 };
 
 }  // namespace
 
-void run_pipeline(const RunOptions& options, const StageContext& context, Report& report) {
-  Pipeline(options, context, report).run();
+void run_pipeline(const RunOptions& options, const StageContext& context, RunJournal& journal,
+                  Report& report) {
+  Pipeline(options, context, journal, report).run();
 }
 
 }  // namespace stream_recon

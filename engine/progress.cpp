@@ -46,6 +46,7 @@ void Progress::begin_stage(std::string name, std::uint64_t total, std::string un
   unit_ = std::move(unit);
   total_ = total;
   done_ = 0;
+  expected_end_.reset();
   began_ = Clock::now();
   next_ = (began_ + kInterval).time_since_epoch().count();
   show(false);
@@ -62,6 +63,12 @@ void Progress::advance(std::uint64_t units) {
   show(false);
 }
 
+void Progress::expect(double seconds) {
+  const std::lock_guard lock(mutex_);
+  expected_end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                     std::chrono::duration<double>(seconds));
+}
+
 void Progress::end_stage() {
   const std::lock_guard lock(mutex_);
   show(true);
@@ -71,6 +78,16 @@ void Progress::show(bool last) {
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   if (style_ == ProgressStyle::kBar) show_bar(seconds, last);
   if (style_ == ProgressStyle::kJson) show_json(seconds);
+}
+
+std::optional<double> Progress::seconds_left(double seconds) const {
+  if (expected_end_) {
+    return std::max(0.0, std::chrono::duration<double>(*expected_end_ - Clock::now()).count());
+  }
+  const std::uint64_t done = done_;
+  if (total_ == 0 || done == 0) return std::nullopt;
+  const std::uint64_t left = total_ > done ? total_ - done : 0;
+  return static_cast<double>(left) * seconds / static_cast<double>(done);
 }
 
 void Progress::show_bar(double seconds, bool last) {
@@ -85,10 +102,8 @@ void Progress::show_bar(double seconds, bool last) {
   line += fmt::format("{}{}", count_text(done), unit_);
   if (rate > 0) line += fmt::format(", {}{}/s", count_text(rate), unit_);
   line += fmt::format(", {}", duration_text(seconds));
-  if (!last && rate > 0 && total_ > 0) {
-    const double left = std::max(0.0, static_cast<double>(total_) - done) / rate;
-    line += fmt::format(", {} left", duration_text(left));
-  }
+  const auto left = seconds_left(seconds);
+  if (!last && left) line += fmt::format(", {} left", duration_text(*left));
   if (last) line += '\n';
   line_open_ = !last;
   std::fputs(line.c_str(), out_);
@@ -102,10 +117,7 @@ void Progress::show_json(double seconds) {
       {"stage", name_}, {"done", done}, {"unit", unit_}, {"seconds", seconds}, {"rate", rate}};
   if (total_ > 0) {
     line["total"] = total_;
-    if (rate > 0) {
-      const std::uint64_t left = total_ > done ? total_ - done : 0;
-      line["seconds_left"] = static_cast<double>(left) / rate;
-    }
+    if (const auto left = seconds_left(seconds)) line["seconds_left"] = *left;
   }
   fmt::print(out_, "{}\n", line.dump());
   std::fflush(out_);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace stream_recon {
@@ -32,6 +33,8 @@ class Progress {
   /// \param unit what is counted, in the plural: "points"
   void begin_stage(std::string name, std::uint64_t total, std::string unit);
   void advance(std::uint64_t units);
+  /// The stage will take this much longer; until told, the time left is judged by the rate.
+  void expect(double seconds);
   void end_stage();
 
  private:
@@ -40,6 +43,7 @@ class Progress {
   void show(bool last);
   void show_bar(double seconds, bool last);
   void show_json(double seconds);
+  std::optional<double> seconds_left(double seconds) const;
 
   const ProgressStyle style_;
   std::FILE* const out_;
@@ -49,6 +53,7 @@ class Progress {
   std::uint64_t total_ = 0;
   std::atomic<std::uint64_t> done_{0};
   Clock::time_point began_;
+  std::optional<Clock::time_point> expected_end_;
   std::atomic<Clock::rep> next_{0};
   bool line_open_ = false;
 };

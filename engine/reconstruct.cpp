@@ -5,6 +5,9 @@
 #include "engine/parallel.h"
 #include "engine/pipeline.h"
 #include "engine/process_memory.h"
+#include "engine/restart/open_run.h"
+#include "engine/restart/run_identity.h"
+#include "engine/restart/run_journal.h"
 #include "engine/run_checks.h"
 #include "engine/size_text.h"
 #include "engine/stage_context.h"
@@ -30,16 +33,33 @@ std::uint64_t memory_limit(const RunOptions& options) {
   return limit;
 }
 
-const char* kind_name(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::kGamma:
-      return "gamma";
-    case SurfaceKind::kAlpha:
-      return "alpha";
-    case SurfaceKind::kNone:
-      break;
+/// How to go on after an error that a later run may not meet.
+std::string with_hint(const char* message, const ScratchDirectory& scratch) {
+  return fmt::format("{}; what is done is kept in {}: add --resume to go on from there", message,
+                     scratch.path());
+}
+
+/// Runs the stages; an error says how to resume where that is possible.
+void run(const RunOptions& options, const StageContext& context, RunJournal& journal,
+         Report& report) {
+  try {
+    run_pipeline(options, context, journal, report);
+    journal.close();
+  } catch (const InputError&) {
+    journal.close();
+    throw;
+  } catch (const std::invalid_argument&) {
+    journal.close();
+    throw;
+  } catch (const IoError& e) {
+    if (!journal.is_resumable()) throw;
+    throw IoError(with_hint(e.what(), context.scratch));
+  } catch (const BudgetError& e) {
+    if (!journal.is_resumable()) throw;
+    throw BudgetError(with_hint(e.what(), context.scratch));
+  } catch (const Interrupted&) {
+    throw Interrupted(journal.is_resumable());
   }
-  return "none";
 }
 
 }  // namespace
@@ -52,14 +72,13 @@ Report reconstruct(const RunOptions& options) {
   MemoryBudget budget(memory_limit(options));
   const Reservation process =
       budget.reserve(kProcessBytes + threads * kThreadBytes, "the process itself");
-  const std::string& main_output = options.output.empty() ? options.tetrahedra : options.output;
-  ScratchDirectory scratch(
-      {options.scratch.empty() ? default_scratch_parent(main_output) : options.scratch,
-       options.scratch_limit_bytes});
+  const OpenedRun opened = open_run(options, identity_of(options));
+  ScratchDirectory& scratch = *opened.scratch;
   Progress progress(options.progress);
-  const StopRequest never;
-  const StageContext context{scratch, budget, progress,
-                             options.stop != nullptr ? *options.stop : never};
+  StopRequest never;
+  StopRequest& stop = options.stop != nullptr ? *options.stop : never;
+  RunJournal journal(scratch, opened.manifest, stop);
+  const StageContext context{scratch, budget, progress, stop};
 
   Report report;
   report.version = version();
@@ -67,10 +86,27 @@ Report reconstruct(const RunOptions& options) {
   report.memory_budget_bytes = budget.limit();
   report.surface.kind = kind_name(options.surface);
   report.surface.digest = SimplexDigest().hex();
-  run_pipeline(options, context, report);
+  run(options, context, journal, report);
   report.scratch_peak_bytes = scratch.peak_bytes();
   report.peak_rss_bytes = peak_resident_bytes();
   return report;
+}
+
+const char* kind_name(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::kGamma:
+      return "gamma";
+    case SurfaceKind::kAlpha:
+      return "alpha";
+    case SurfaceKind::kNone:
+      break;
+  }
+  return "none";
+}
+
+std::string RunOptions::scratch_parent() const {
+  if (!scratch.empty()) return scratch;
+  return default_scratch_parent(output.empty() ? tetrahedra : output);
 }
 
 }  // namespace stream_recon

@@ -2,11 +2,15 @@
 //
 // Guarantees: the bytes of every output depend on the input, the kind of surface with its threshold
 // and chunk_points only, not on memory_bytes or threads. Nothing stands under an output's name
-// unless the call returns. Scratch files are gone when it returns or throws.
-// Thread rule: one run at a time in a process, since memory is bounded for the process as a whole.
+// unless the call returns. Scratch files are gone when it returns; when it throws IoError,
+// BudgetError or Interrupted after the points were ordered, they stay, and so they do after a kill:
+// a run with the same options and `resume` goes on from the last finished window, to the same
+// bytes. Thread rule: one run at a time in a process, since memory is bounded for the process as a
+// whole.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -21,6 +25,9 @@
 namespace stream_recon {
 
 enum class SurfaceKind { kGamma, kAlpha, kNone };
+
+/// As on the command line.
+const char* kind_name(SurfaceKind kind);
 
 struct RunOptions {
   std::vector<std::string> inputs;  ///< files, read one after the other; "-" is standard input
@@ -45,8 +52,19 @@ struct RunOptions {
   std::string scratch;  ///< existing folder; empty: beside the output
   std::uint64_t scratch_limit_bytes = std::numeric_limits<std::uint64_t>::max();
 
+  /// Go on from an unfinished run with the same scratch, if there is one.
+  bool resume = false;
+
   ProgressStyle progress = ProgressStyle::kNone;
-  const StopRequest* stop = nullptr;  ///< looked at while the run lasts, if given
+  /// Told what a person should know and no exit code says, one line at a time; may be empty.
+  std::function<void(const std::string&)> on_notice;
+  StopRequest* stop = nullptr;  ///< looked at while the run lasts, if given
+
+  /// The folder that the scratch folder is made in.
+  std::string scratch_parent() const;
+  void say(const std::string& notice) const {
+    if (on_notice) on_notice(notice);
+  }
 };
 
 /// The least memory_bytes that any run accepts.

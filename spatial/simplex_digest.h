@@ -17,6 +17,10 @@ namespace stream_recon {
 
 class SimplexDigest {
  public:
+  SimplexDigest() = default;
+  /// \param value of another digest
+  explicit SimplexDigest(std::uint64_t value) : sum_(value) {}
+
   /// Adds one simplex, its input indices in any order.
   template <std::size_t kCorners>
   void add(std::array<std::uint64_t, kCorners> corners) {

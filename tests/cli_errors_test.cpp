@@ -12,6 +12,7 @@
 namespace stream_recon {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -64,7 +65,6 @@ TEST_F(Refusals, OfUsageAre64) {
       {"cube.ply --surface none --tetrahedra .pvtu", 64, "lacks a name"},
       {"cube.ply --tetrahedra t.pvtu", 64, "-o OUT.pvtp"},
       {"cube.ply -o out.pvtp --medial-axis m.pvtp", 64, "not yet"},
-      {"cube.ply -o out.pvtp --resume", 64, "not yet"},
       {"cube.ply -o out.pvtp --surface alpha", 64, "--alpha R"},
       {"cube.ply -o out.pvtp --surface alpha --alpha -1", 64, "--alpha R"},
       {"cube.ply -o out.pvtp --surface alpha --alpha nan", 64, "--alpha R"},
@@ -105,8 +105,15 @@ TEST_F(Refusals, OfBadInputAre65) {
 TEST_F(Refusals, OfTooLittleMemoryAre69WithTheLeastThatWouldDo) {
   expect_refused({"cube.ply -o out.pvtp --memory 10M", 69, "--memory 64M or more"});
   ASSERT_EQ(folder_.run("make-cloud folded -n 300000 -o big.ply").exit_code, 0);
-  before_ = folder_.names();
-  expect_refused({"big.ply -o out.pvtp --memory 64M --chunk-points 300000", 69, "or more"});
+  const Outcome outcome =
+      folder_.run("stream-recon big.ply -o out.pvtp --memory 64M --chunk-points 300000");
+  EXPECT_EQ(outcome.exit_code, 69);
+  EXPECT_THAT(outcome.error, HasSubstr("or more"));
+  // Found out late; what was done is not lost.
+  EXPECT_THAT(outcome.error, HasSubstr("add --resume"));
+  const Outcome resumed =
+      folder_.run("stream-recon big.ply -o out.pvtp --memory 512M --chunk-points 300000 --resume");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
 }
 
 TEST_F(Refusals, OfTheSystemAre74) {
@@ -117,7 +124,6 @@ TEST_F(Refusals, OfTheSystemAre74) {
       {"cube.ply -o out.pvtp --tetrahedra missing/t.pvtu", 74, "missing"},
       {"cube.ply --surface none --tetrahedra missing/t.pvtu", 74, "missing"},
       {"cube.ply -o out.pvtp --scratch-limit 2K", 74, "limit"},
-      {"cube.ply -o - >/dev/full", 74, "standard output"},
       {"cube.ply -o out.ply --report missing/report.json; code=$?; rm -f out.ply; (exit $code)", 74,
        "missing/report.json"},
   };
@@ -147,6 +153,41 @@ TEST_F(Refusals, SignalsEndTheRunWith130AndRemoveItsFiles) {
     EXPECT_EQ(outcome.exit_code, 130) << outcome.error;
     EXPECT_THAT(outcome.error, HasSubstr("interrupted"));
     EXPECT_EQ(folder_.names(), before_);
+  }
+}
+
+TEST_F(Refusals, AfterLongWorkKeepItAndSayHowToGoOn) {
+  const Outcome full = folder_.run("stream-recon cube.ply -o - --scratch . >/dev/full");
+  EXPECT_EQ(full.exit_code, 74);
+  EXPECT_THAT(full.error, AllOf(HasSubstr("standard output"), HasSubstr("add --resume")));
+  EXPECT_EQ(std::count(full.error.begin(), full.error.end(), '\n'), 1) << full.error;
+}
+
+TEST_F(Refusals, SignalsAfterTheFirstWindowEndTheRunWith75AndItGoesOnToTheSameBytes) {
+  const std::string options = " --memory 64M --threads 1 --scratch .";
+  ASSERT_EQ(folder_
+                .run("make-cloud folded -n 200000 -o big.ply; mkdir fine; stream-recon big.ply"
+                     " -o fine/out.ply" +
+                     options)
+                .exit_code,
+            0);
+  for (const std::string signal : {"INT", "TERM"}) {
+    SCOPED_TRACE(signal);
+    // Progress tells when the first window is done; a shell's background jobs ignore SIGINT.
+    const Outcome stopped = folder_.run(
+        "env --default-signal=INT stream-recon big.ply -o out.ply --progress json" + options +
+        " 2>progress & run=$!\n"
+        "until grep -q 'delaunay\",\"done\":[1-9]' progress; do sleep 0.05; done\n"
+        "kill -" +
+        signal + " $run; wait $run");
+    EXPECT_EQ(stopped.exit_code, 75);
+    EXPECT_THAT(folder_.bytes("progress"), HasSubstr("with --resume to go on"));
+    EXPECT_FALSE(folder_.has("out.ply"));
+    const Outcome resumed = folder_.run("stream-recon big.ply -o out.ply --resume" + options);
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
+    EXPECT_EQ(resumed.error, "");
+    EXPECT_TRUE(folder_.bytes("out.ply") == folder_.bytes("fine/out.ply"));
+    folder_.run("rm out.ply");
   }
 }
 

@@ -105,20 +105,25 @@ std::vector<Key> by_plain_loop(const FinalWindow& window, const Criterion& crite
   return sorted_keys(records);
 }
 
-std::vector<Key> all_keys(const FacetSink& sink) {
+std::vector<Key> all_keys(const ExportedFacets& facets) {
   std::vector<FacetRecord> all;
   for (std::uint64_t chunk = 0; chunk < kLayout.chunk_count(); ++chunk) {
-    const auto records = sink.facets().records(chunk);
+    const auto records = facets.facets().records(chunk);
     all.insert(all.end(), records.begin(), records.end());
   }
   return sorted_keys(all);
 }
 
 /// One thread a window.
-void consume_all(const std::vector<TestWindow>& windows, WindowConsumer& consumer) {
+void consume_all(const std::vector<TestWindow>& windows, WindowConsumer& consumer,
+                 ScratchDirectory& scratch) {
   std::vector<std::thread> threads;
   for (const TestWindow& window : windows) {
-    threads.emplace_back([&] { consumer.consume(window.view()); });
+    threads.emplace_back([&] {
+      ExportWriter out(scratch, window.view().rank(0));
+      consumer.consume(window.view(), out);
+      out.finish();
+    });
   }
   for (std::thread& thread : threads) thread.join();
 }
@@ -140,11 +145,10 @@ void compare_with_plain_loop(double threshold) {
   const auto expected = by_plain_loop(whole.view(), Criterion(threshold));
   const auto found_in = [&](const std::vector<TestWindow>& windows) {
     StageFixture stage;
-    FacetSink sink(kLayout, {&stage.scratch, &stage.budget});
-    Filter filter(threshold, sink, stage.stop);
-    consume_all(windows, filter);
-    sink.finish();
-    return all_keys(sink);
+    Filter filter(threshold, kLayout, stage.stop);
+    consume_all(windows, filter, stage.scratch);
+    const ExportReader exports(stage.scratch, stage.budget);
+    return all_keys({exports, kLayout});
   };
   std::vector<TestWindow> one;
   one.emplace_back(cloud, 0, cloud.size());
@@ -168,22 +172,21 @@ TEST(FacetFilter, StopsOnRequest) {
   const std::vector<Point3> cloud = make_cloud(22);
   const TestWindow window(cloud, 0, cloud.size());
   StageFixture stage;
-  FacetSink sink(kLayout, {&stage.scratch, &stage.budget});
-  GammaFilter filter(90, sink, stage.stop);
+  GammaFilter filter(90, kLayout, stage.stop);
+  ExportWriter out(stage.scratch, 0);
   stage.stop.request();
-  EXPECT_THROW(filter.consume(window.view()), Interrupted);
+  EXPECT_THROW(filter.consume(window.view(), out), Interrupted);
 }
 
-TEST(TetrahedraCensus, AddsUpOverWindowsFromManyThreads) {
+TEST(TetrahedraCensus, AddsUpOverWindows) {
   const std::vector<Point3> cloud = make_cloud(23);
   const TestWindow whole(cloud, 0, cloud.size());
-  TetrahedraCensus expected;
-  expected.consume(whole.view());
-  EXPECT_EQ(expected.count(), whole.delaunay.finite_cell_count());
+  const TetrahedraCensus expected = take_census(whole.view());
+  EXPECT_EQ(expected.count, whole.delaunay.finite_cell_count());
   TetrahedraCensus census;
-  consume_all(cut(cloud), census);
-  EXPECT_EQ(census.count(), expected.count());
-  EXPECT_EQ(census.digest().hex(), expected.digest().hex());
+  for (const TestWindow& window : cut(cloud)) census.merge(take_census(window.view()));
+  EXPECT_EQ(census.count, expected.count);
+  EXPECT_EQ(census.digest.hex(), expected.digest.hex());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Every system call of a run fails once: the run says so and leaves nothing behind.
+// Every system call of a run fails once: the run says so, leaves no output behind, and goes on to
+// the same bytes when it is told to.
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 
 #include "engine/reconstruct.h"
 #include "io/fault_injection.h"
+#include "io/folder.h"
 #include "tests/io_test_folder.h"
 
 namespace stream_recon {
@@ -15,7 +17,7 @@ namespace {
 
 std::string write_cloud(const TestFolder& folder) {
   std::string text;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 240; ++i) {
     text += std::to_string(i * 37 % 101) + " " + std::to_string(i * 53 % 97) + " " +
             std::to_string(i * 71 % 89) + "\n";
   }
@@ -32,16 +34,33 @@ void PrintTo(const Outputs& outputs, std::ostream* out) {
   *out << outputs.surface << " " << outputs.tetrahedra;
 }
 
-/// Runs with the n-th of the given calls failing; false once n is beyond the last call.
-bool run_with_fault(const std::string& cloud, const Outputs& outputs, const FaultPlan& plan) {
-  const TestFolder folder;
+RunOptions options_for(const std::string& cloud, const Outputs& outputs, const TestFolder& folder) {
   RunOptions options;
   options.inputs = {cloud};
   if (outputs.surface.empty()) options.surface = SurfaceKind::kNone;
   if (!outputs.surface.empty()) options.output = folder / outputs.surface;
   if (!outputs.tetrahedra.empty()) options.tetrahedra = folder / outputs.tetrahedra;
-  options.chunk_points = 50;
+  options.chunk_points = 80;
+  options.window_points = 96;
   options.threads = 1;
+  return options;
+}
+
+/// All bytes in the folder and those in it.
+std::string all_bytes(const TestFolder& folder) {
+  std::string all;
+  for (const std::string& name : folder.names()) {
+    if (!is_folder(folder / name)) all += name + file_bytes(folder / name);
+    if (!is_folder(folder / name)) continue;
+    for (const std::string& chunk : list_folder(folder / name)) {
+      all += chunk + file_bytes(folder / name + "/" + chunk);
+    }
+  }
+  return all;
+}
+
+/// Runs with the n-th of the given calls failing; false once n is beyond the last call.
+bool run_with_fault(const RunOptions& options, const TestFolder& folder, const FaultPlan& plan) {
   bool failed = false;
   const ScopedFault fault(plan);
   try {
@@ -49,10 +68,15 @@ bool run_with_fault(const std::string& cloud, const Outputs& outputs, const Faul
   } catch (const IoError& e) {
     failed = true;
     EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+    const bool is_kept = !folder.names().empty();
+    EXPECT_EQ(std::string(e.what()).find("--resume") != std::string::npos, is_kept) << e.what();
   }
   const bool fired = fault.fired();
   EXPECT_EQ(failed, fired) << "call " << plan.fail_at;
-  EXPECT_EQ(folder.names().empty(), failed) << "call " << plan.fail_at;
+  if (!failed) return fired;
+  for (const std::string& name : folder.names()) {
+    EXPECT_TRUE(name.starts_with("stream-recon.partial-")) << name << ", call " << plan.fail_at;
+  }
   return fired;
 }
 
@@ -63,14 +87,29 @@ constexpr unsigned bit(IoOperation operation) {
 class Faults : public testing::TestWithParam<Outputs> {
  protected:
   void fail_every_call(FaultPlan plan) const {
+    const TestFolder input;
+    const std::string cloud = write_cloud(input);
+    std::string expected;
+    for (bool fired = true; fired; ++plan.fail_at) {
+      const TestFolder folder;
+      RunOptions options = options_for(cloud, GetParam(), folder);
+      fired = run_with_fault(options, folder, plan);
+      if (expected.empty()) expected = undisturbed(cloud);
+      options.resume = true;
+      if (fired) (void)reconstruct(options);
+      EXPECT_TRUE(all_bytes(folder) == expected) << "call " << plan.fail_at;
+    }
+    EXPECT_GT(plan.fail_at, 2U);
+  }
+
+  static std::string undisturbed(const std::string& cloud) {
     const TestFolder folder;
-    const std::string cloud = write_cloud(folder);
-    while (run_with_fault(cloud, GetParam(), plan)) ++plan.fail_at;
-    EXPECT_GT(plan.fail_at, 1U);
+    (void)reconstruct(options_for(cloud, GetParam(), folder));
+    return all_bytes(folder);
   }
 };
 
-TEST_P(Faults, OfAFullDiskEndTheRunCleanly) {
+TEST_P(Faults, OfAFullDiskEndTheRunCleanlyAndItGoesOn) {
   fail_every_call({bit(IoOperation::kWrite) | bit(IoOperation::kOpen), 0, ENOSPC, true});
 }
 

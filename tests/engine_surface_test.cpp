@@ -52,16 +52,17 @@ Assembled assemble(const std::vector<Ranks>& facets, const ChunkLayout& layout,
   for (PointRank rank = 0; rank < layout.point_count; ++rank) store.append(point_of(rank));
   store.finish();
 
-  FacetSink sink(layout, {&stage.scratch, &stage.budget});
   std::vector<FacetRecord> records;
   for (const Ranks& ranks : facets) {
     records.push_back({ranks, static_cast<float>(ranks[0] % 90), TriangleSource::kGamma});
   }
   std::shuffle(records.begin(), records.end(), std::mt19937_64(seed));
-  sink.add(records);
-  sink.finish();
+  ExportWriter out(stage.scratch, 0);
+  export_facets(records, layout, out);
+  out.finish();
+  const ExportReader exports(stage.scratch, stage.budget);
   RecordingWriter writer;
-  const SurfaceCounts counts = assemble_surface(sink, writer, stage.context);
+  const SurfaceCounts counts = assemble_surface({exports, layout}, writer, stage.context);
   EXPECT_GT(stage.budget.peak(), 0U);
   return {counts, writer.chunks};
 }

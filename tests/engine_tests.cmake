@@ -6,6 +6,16 @@ stream_recon_test(engine_test PARALLEL
     engine_tetrahedra_test.cpp engine_window_parts_test.cpp engine_windows_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 
+add_executable(restart_driver restart_driver.cpp)
+target_link_libraries(restart_driver PRIVATE stream_recon::engine stream_recon_flags)
+target_include_directories(restart_driver PRIVATE ${PROJECT_SOURCE_DIR})
+stream_recon_test(engine_restart_test
+  SOURCES engine_restart_test.cpp
+  LIBRARIES stream_recon::engine GTest::gmock)
+add_dependencies(engine_restart_test restart_driver)
+target_compile_definitions(engine_restart_test PRIVATE
+  STREAM_RECON_RESTART_DRIVER="$<TARGET_FILE:restart_driver>")
+
 if(STREAM_RECON_TOOLS)
   stream_recon_test(cli_test
     SOURCES cli_errors_test.cpp cli_results_test.cpp cli_tetrahedra_test.cpp

@@ -14,6 +14,7 @@
 #include "engine/tetrahedra/chunk_vertices.h"
 #include "engine/tetrahedra/tetrahedra_assembly.h"
 #include "engine/tetrahedra/tetrahedra_collector.h"
+#include "engine/windows/export_writer.h"
 #include "tests/engine_fixture.h"
 
 namespace stream_recon {
@@ -70,20 +71,22 @@ std::string written(const std::vector<StoredPoint>& cloud, std::uint64_t points_
   auto store = create_records<StoredPoint>(stage.scratch, kPointStore, kPointStoreBlock);
   store.append(cloud);
   store.finish();
-  TetrahedraSink sink({50, cloud.size()}, {&stage.scratch, &stage.budget});
-  TetrahedraCollector collector(sink, stage.stop);
+  const ChunkLayout layout{50, cloud.size()};
+  TetrahedraCollector collector(layout, stage.stop);
   {
     std::vector<std::jthread> threads;
     for (PointRank first = 0; first < cloud.size(); first += points_per_window) {
       threads.emplace_back([&, first] {
         const Window window(cloud, first, std::min(points_per_window, cloud.size() - first));
-        collector.consume(window.view());
+        ExportWriter out(stage.scratch, first);
+        collector.consume(window.view(), out);
+        out.finish();
       });
     }
   }
-  sink.finish();
   TetrahedraWriter writer({stage.folder / "t.pvtu"});
-  assemble_tetrahedra(sink, writer, stage.context);
+  const ExportReader exports(stage.scratch, stage.budget);
+  assemble_tetrahedra({exports, layout}, writer, stage.context);
   writer.prepare();
   writer.publish();
   writer.keep();

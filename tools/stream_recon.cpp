@@ -16,7 +16,7 @@ namespace {
 
 using namespace stream_recon;
 
-enum ExitCode { kDone = 0, kNoMemory = 69, kInterrupted = 130 };
+enum ExitCode { kDone = 0, kNoMemory = 69, kResumable = 75, kInterrupted = 130 };
 
 /// What the command line says, beside what the engine takes as it is.
 struct CommandLine {
@@ -24,7 +24,6 @@ struct CommandLine {
   std::string surface = "gamma";
   std::string report;
   std::string medial_axis;
-  bool resume = false;
 };
 
 void add_input_options(CLI::App& app, CommandLine& line) {
@@ -88,7 +87,9 @@ void add_resource_options(CLI::App& app, CommandLine& line) {
                  "Points that share a chunk of the output (default: 100000)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
       ->option_text("N");
-  app.add_flag("--resume", line.resume, "Not yet: go on after a kill");
+  app.add_flag(
+      "--resume", line.run.resume,
+      "Go on after a kill, an error or Ctrl-C, to the same bytes; the same command otherwise");
 }
 
 void add_report_options(CLI::App& app, CommandLine& line) {
@@ -114,7 +115,6 @@ void refuse_what_is_not_yet(const CommandLine& line) {
     refuse("--surface " + line.surface, "use gamma, alpha or none");
   }
   if (!line.medial_axis.empty()) refuse("--medial-axis", "leave it out");
-  if (line.resume) refuse("--resume", "leave it out and start again");
 }
 
 void check_combinations(const CLI::App& app, const CommandLine& line) {
@@ -129,11 +129,12 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
           "-o - and --report - both want standard output; give one of them a file");
 }
 
-void reconstruct_and_report(CommandLine& line, const StopRequest& stop) {
+void reconstruct_and_report(CommandLine& line, StopRequest& stop) {
   const std::map<std::string, SurfaceKind> kinds{
       {"gamma", SurfaceKind::kGamma}, {"alpha", SurfaceKind::kAlpha}, {"none", SurfaceKind::kNone}};
   line.run.surface = kinds.at(line.surface);
   line.run.stop = &stop;
+  line.run.on_notice = [](const std::string& notice) { spdlog::warn("{}", notice); };
   if (line.run.surface == SurfaceKind::kNone && !line.run.output.empty()) {
     spdlog::warn("--surface none makes no surface: nothing is written to {}", line.run.output);
   }
@@ -150,9 +151,9 @@ int run(CommandLine& line) {
   } catch (const BudgetError& e) {
     spdlog::error("{}", e.what());
     return kNoMemory;
-  } catch (const Interrupted&) {
-    spdlog::error("interrupted: nothing was kept; start again");
-    return kInterrupted;
+  } catch (const Interrupted& e) {
+    spdlog::error("{}", e.what());
+    return e.is_resumable() ? kResumable : kInterrupted;
   }
 }
 

@@ -11,10 +11,12 @@ namespace stream_recon {
 class AlphaFilter : public FacetFilter {
  public:
   /// \param alpha radius > 0, units of the input
-  AlphaFilter(double alpha, FacetSink& sink, const StopRequest& stop)
-      : FacetFilter(TriangleSource::kAlpha, sink, stop), criterion_(alpha) {}
+  AlphaFilter(double alpha, const ChunkLayout& layout, const StopRequest& stop)
+      : FacetFilter(TriangleSource::kAlpha, layout, stop), criterion_(alpha) {}
 
-  void consume(const FinalWindow& window) override { filter(window, criterion_); }
+  void consume(const FinalWindow& window, ExportWriter& out) override {
+    filter(window, criterion_, out);
+  }
 
  private:
   AlphaCriterion criterion_;

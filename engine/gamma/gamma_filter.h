@@ -11,10 +11,12 @@ namespace stream_recon {
 class GammaFilter : public FacetFilter {
  public:
   /// \param delta_max_degrees in (0, 180]
-  GammaFilter(double delta_max_degrees, FacetSink& sink, const StopRequest& stop)
-      : FacetFilter(TriangleSource::kGamma, sink, stop), criterion_(delta_max_degrees) {}
+  GammaFilter(double delta_max_degrees, const ChunkLayout& layout, const StopRequest& stop)
+      : FacetFilter(TriangleSource::kGamma, layout, stop), criterion_(delta_max_degrees) {}
 
-  void consume(const FinalWindow& window) override { filter(window, criterion_); }
+  void consume(const FinalWindow& window, ExportWriter& out) override {
+    filter(window, criterion_, out);
+  }
 
  private:
   GammaCriterion criterion_;

@@ -63,7 +63,6 @@ class HilbertSort {
     context_.progress.begin_stage("order", cloud_.finite_points(), "points");
     StoreWriter store(context_.scratch);
     make_runs(store);
-    context_.scratch.remove(kIngestSpool);
     merge_runs(store);
     context_.progress.end_stage();
     return store.finish();

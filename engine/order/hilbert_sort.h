@@ -18,7 +18,7 @@ struct OrderResult {
   std::uint64_t duplicates = 0;
 };
 
-/// Reads the ingest spool and removes it. \throw IoError, BudgetError, Interrupted
+/// Reads the ingest spool. \throw IoError, BudgetError, Interrupted
 OrderResult hilbert_sort(const CloudSummary& cloud, const StageContext& context);
 
 }  // namespace stream_recon

@@ -19,7 +19,7 @@ constexpr std::uint64_t kBytesATriangle = 140;
 
 class SurfaceAssembly {
  public:
-  SurfaceAssembly(const FacetSink& surface, SurfaceWriter& writer, const StageContext& context)
+  SurfaceAssembly(const ExportedFacets& surface, SurfaceWriter& writer, const StageContext& context)
       : surface_(surface),
         writer_(writer),
         context_(context),
@@ -108,7 +108,7 @@ class SurfaceAssembly {
     }
   }
 
-  const FacetSink& surface_;
+  const ExportedFacets& surface_;
   SurfaceWriter& writer_;
   const StageContext& context_;
   Reservation store_memory_;
@@ -120,7 +120,7 @@ class SurfaceAssembly {
 
 }  // namespace
 
-SurfaceCounts assemble_surface(const FacetSink& surface, SurfaceWriter& writer,
+SurfaceCounts assemble_surface(const ExportedFacets& surface, SurfaceWriter& writer,
                                const StageContext& context) {
   return SurfaceAssembly(surface, writer, context).run();
 }

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "engine/stage_context.h"
-#include "engine/surface/facet_sink.h"
+#include "engine/surface/facet_export.h"
 #include "io/surface_writer.h"
 #include "spatial/simplex_digest.h"
 
@@ -30,9 +30,8 @@ struct SurfaceCounts {
   }
 };
 
-/// \pre surface.finish() was called.
 /// \throw IoError, BudgetError, Interrupted
-SurfaceCounts assemble_surface(const FacetSink& surface, SurfaceWriter& writer,
+SurfaceCounts assemble_surface(const ExportedFacets& surface, SurfaceWriter& writer,
                                const StageContext& context);
 
 }  // namespace stream_recon

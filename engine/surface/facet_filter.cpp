@@ -59,7 +59,8 @@ class FacetPass {
  public:
   struct Output {
     TriangleSource source;
-    FacetSink& sink;
+    const ChunkLayout& layout;
+    ExportWriter& out;
   };
 
   FacetPass(const FinalWindow& window, const Criterion& criterion, const Output& output)
@@ -84,7 +85,7 @@ class FacetPass {
       visit_block();
     }
     decide_waiting();
-    output_.sink.add(taken_);
+    hand_over();
   }
 
  private:
@@ -189,8 +190,11 @@ class FacetPass {
     FacetRecord record{facet.ranks, static_cast<float>(gamma_angle(balls)), output_.source};
     if (is_hull) record.facing = facet.reversed ? Facing::kInward : Facing::kOutward;
     taken_.push_back(record);
-    if (taken_.size() < kMostTaken) return;
-    output_.sink.add(taken_);
+    if (taken_.size() == kMostTaken) hand_over();
+  }
+
+  void hand_over() {
+    export_facets(taken_, output_.layout, output_.out);
     taken_.clear();
   }
 
@@ -225,11 +229,11 @@ class FacetPass {
 }  // namespace
 
 template <class Criterion>
-void FacetFilter::filter(const FinalWindow& window, const Criterion& criterion) {
-  FacetPass<Criterion>(window, criterion, {source_, sink_}).run(stop_);
+void FacetFilter::filter(const FinalWindow& window, const Criterion& criterion, ExportWriter& out) {
+  FacetPass<Criterion>(window, criterion, {source_, layout_, out}).run(stop_);
 }
 
-template void FacetFilter::filter(const FinalWindow&, const GammaCriterion&);
-template void FacetFilter::filter(const FinalWindow&, const AlphaCriterion&);
+template void FacetFilter::filter(const FinalWindow&, const GammaCriterion&, ExportWriter&);
+template void FacetFilter::filter(const FinalWindow&, const AlphaCriterion&, ExportWriter&);
 
 }  // namespace stream_recon

@@ -16,7 +16,7 @@ std::vector<Record> sorted_distinct(std::vector<Record> records) {
 
 }  // namespace
 
-VertexNumbering::VertexNumbering(const FacetSink& surface, const StageContext& context)
+VertexNumbering::VertexNumbering(const ExportedFacets& surface, const StageContext& context)
     : context_(context),
       known_("vertex_numbers", surface.layout().chunk_count(),
              {&context.scratch, &context.budget}) {
@@ -30,7 +30,7 @@ VertexNumbering::VertexNumbering(const FacetSink& surface, const StageContext& c
 
 /// A point used by chunks u1 < u2 < ... and owned by a later one, c, appears first in u1, which
 /// must tell u2, ... and c; these must know that they are told.
-void VertexNumbering::find_shares(const FacetSink& surface, ChunkSpool<Share>& shares) {
+void VertexNumbering::find_shares(const ExportedFacets& surface, ChunkSpool<Share>& shares) {
   for (std::uint64_t owner = 0; owner < surface.layout().chunk_count(); ++owner) {
     context_.stop.check();
     const Reservation memory = context_.budget.reserve(
@@ -49,7 +49,7 @@ void VertexNumbering::find_shares(const FacetSink& surface, ChunkSpool<Share>& s
   }
 }
 
-void VertexNumbering::hand_out(const FacetSink& surface, const ChunkSpool<Share>& shares) {
+void VertexNumbering::hand_out(const ExportedFacets& surface, const ChunkSpool<Share>& shares) {
   for (std::uint64_t chunk = 0; chunk < surface.layout().chunk_count(); ++chunk) {
     context_.stop.check();
     const std::uint64_t facets = surface.facets().count(chunk);

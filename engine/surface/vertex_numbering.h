@@ -15,14 +15,14 @@
 
 #include "engine/stage_context.h"
 #include "engine/surface/chunk_spool.h"
-#include "engine/surface/facet_sink.h"
+#include "engine/surface/facet_export.h"
 
 namespace stream_recon {
 
 class VertexNumbering {
  public:
   /// \throw IoError, BudgetError, Interrupted
-  VertexNumbering(const FacetSink& surface, const StageContext& context);
+  VertexNumbering(const ExportedFacets& surface, const StageContext& context);
 
   /// Numbers of the vertices of a chunk. \pre Chunks are asked for in ascending order, all of them.
   std::vector<std::uint64_t> numbers_of(std::uint64_t chunk, std::span<const PointRank> vertices);
@@ -50,8 +50,8 @@ class VertexNumbering {
     }
   };
 
-  void find_shares(const FacetSink& surface, ChunkSpool<Share>& shares);
-  void hand_out(const FacetSink& surface, const ChunkSpool<Share>& shares);
+  void find_shares(const ExportedFacets& surface, ChunkSpool<Share>& shares);
+  void hand_out(const ExportedFacets& surface, const ChunkSpool<Share>& shares);
 
   const StageContext& context_;
   ChunkSpool<Known> known_;

@@ -29,7 +29,7 @@ struct BySortedCorners {
 
 class TetrahedraAssembly {
  public:
-  TetrahedraAssembly(const TetrahedraSink& tetrahedra, TetrahedraWriter& writer,
+  TetrahedraAssembly(const ExportedTetrahedra& tetrahedra, TetrahedraWriter& writer,
                      const StageContext& context)
       : tetrahedra_(tetrahedra),
         writer_(writer),
@@ -38,11 +38,11 @@ class TetrahedraAssembly {
         store_(context.scratch, kPointStore) {}
 
   void run() {
-    const ChunkLayout& layout = tetrahedra_.layout();
+    const ChunkLayout& layout = tetrahedra_.layout;
     context_.progress.begin_stage("tetrahedra", layout.point_count, "points");
     for (std::uint64_t chunk = 0; chunk < layout.chunk_count(); ++chunk) {
       context_.stop.check();
-      if (tetrahedra_.spool().count(chunk) != 0) assemble(chunk);
+      if (tetrahedra_.records.count(chunk) != 0) assemble(chunk);
       context_.progress.advance(layout.end_rank(chunk) - layout.first_rank(chunk));
     }
     context_.progress.end_stage();
@@ -51,15 +51,15 @@ class TetrahedraAssembly {
  private:
   void assemble(std::uint64_t chunk) {
     Reservation memory = context_.budget.reserve(
-        tetrahedra_.spool().count(chunk) * sizeof(LocalTetrahedron), kHolder);
+        tetrahedra_.records.count(chunk) * sizeof(LocalTetrahedron), kHolder);
     writer_.write(make_chunk(chunk, memory));
   }
 
   /// What it needed besides the result is gone on return. \param memory has the tetrahedra
   TetrahedraChunk make_chunk(std::uint64_t chunk, Reservation& memory) {
-    const ChunkLayout& layout = tetrahedra_.layout();
+    const ChunkLayout& layout = tetrahedra_.layout;
     ChunkVertices vertices(layout.first_rank(chunk), layout.end_rank(chunk), context_.budget);
-    tetrahedra_.spool().visit(chunk, [&](std::span<const TetrahedronRecord> records) {
+    tetrahedra_.records.visit(chunk, [&](std::span<const TetrahedronRecord> records) {
       for (const TetrahedronRecord& record : records) {
         for (const PointRank rank : record.ranks) vertices.add(rank);
       }
@@ -85,8 +85,8 @@ class TetrahedraAssembly {
 
   void gather_tetrahedra(std::uint64_t chunk, const ChunkVertices& vertices,
                          TetrahedraChunk& result) {
-    result.tetrahedra.reserve(tetrahedra_.spool().count(chunk));
-    tetrahedra_.spool().visit(chunk, [&](std::span<const TetrahedronRecord> records) {
+    result.tetrahedra.reserve(tetrahedra_.records.count(chunk));
+    tetrahedra_.records.visit(chunk, [&](std::span<const TetrahedronRecord> records) {
       for (const TetrahedronRecord& record : records) {
         auto& tetrahedron = result.tetrahedra.emplace_back();
         for (int i = 0; i < 4; ++i) tetrahedron[i] = vertices.position(record.ranks[i]);
@@ -99,7 +99,7 @@ class TetrahedraAssembly {
   static constexpr const char* kHolder =
       "a chunk of tetrahedra (a smaller --chunk-points needs less)";
 
-  const TetrahedraSink& tetrahedra_;
+  const ExportedTetrahedra& tetrahedra_;
   TetrahedraWriter& writer_;
   const StageContext& context_;
   Reservation fixed_memory_;
@@ -108,7 +108,7 @@ class TetrahedraAssembly {
 
 }  // namespace
 
-void assemble_tetrahedra(const TetrahedraSink& tetrahedra, TetrahedraWriter& writer,
+void assemble_tetrahedra(const ExportedTetrahedra& tetrahedra, TetrahedraWriter& writer,
                          const StageContext& context) {
   TetrahedraAssembly(tetrahedra, writer, context).run();
 }

@@ -8,14 +8,13 @@
 #pragma once
 
 #include "engine/stage_context.h"
-#include "engine/tetrahedra/tetrahedra_sink.h"
+#include "engine/tetrahedra/exported_tetrahedra.h"
 #include "io/tetrahedra_writer.h"
 
 namespace stream_recon {
 
-/// \pre tetrahedra.finish() was called.
 /// \throw IoError, BudgetError, Interrupted
-void assemble_tetrahedra(const TetrahedraSink& tetrahedra, TetrahedraWriter& writer,
+void assemble_tetrahedra(const ExportedTetrahedra& tetrahedra, TetrahedraWriter& writer,
                          const StageContext& context);
 
 }  // namespace stream_recon

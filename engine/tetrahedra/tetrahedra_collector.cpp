@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-#include <vector>
 
+#include "engine/tetrahedra/tetrahedron_record.h"
+#include "engine/windows/export_writer.h"
 #include "engine/windows/final_simplices.h"
 
 namespace stream_recon {
 namespace {
 
-constexpr std::size_t kBatch = (std::size_t{64} << 10) / sizeof(TetrahedronRecord);
+constexpr CellId kBlock = 1 << 14;
 
 /// The cell is positively oriented, so an odd number of swaps is undone by one more.
 TetrahedronRecord record_of(const FinalWindow& window, CellId cell) {
@@ -32,19 +33,16 @@ TetrahedronRecord record_of(const FinalWindow& window, CellId cell) {
 
 }  // namespace
 
-void TetrahedraCollector::consume(const FinalWindow& window) {
-  std::vector<TetrahedronRecord> found;
-  found.reserve(kBatch);
-  const auto hand_over = [&] {
+void TetrahedraCollector::consume(const FinalWindow& window, ExportWriter& out) {
+  const CellId end = window.delaunay().cell_slots();
+  for (CellId begin = 0; begin < end; begin += std::min(kBlock, end - begin)) {
     stop_.check();
-    sink_.add(found);
-    found.clear();
-  };
-  for_each_final_tetrahedron(window, {0, window.delaunay().cell_slots()}, [&](CellId cell) {
-    found.push_back(record_of(window, cell));
-    if (found.size() == kBatch) hand_over();
-  });
-  hand_over();
+    for_each_final_tetrahedron(
+        window, {begin, begin + std::min(kBlock, end - begin)}, [&](CellId cell) {
+          const TetrahedronRecord record = record_of(window, cell);
+          out.add(ExportKind::kTetrahedra, layout_.chunk_of(record.ranks[0]), record);
+        });
+  }
 }
 
 }  // namespace stream_recon

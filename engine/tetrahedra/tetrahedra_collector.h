@@ -1,25 +1,26 @@
 // Takes all finite tetrahedra that a window emits.
 //
 // Thread rule: consume() may run side by side with itself, one window each; each call is one loop.
-// Memory: 64 KiB a call.
+// Memory: none.
 #pragma once
 
 #include "engine/interrupt.h"
-#include "engine/tetrahedra/tetrahedra_sink.h"
+#include "engine/surface/chunk_layout.h"
 #include "engine/windows/final_window.h"
 
 namespace stream_recon {
 
 class TetrahedraCollector : public WindowConsumer {
  public:
-  /// \pre `sink` and `stop` outlive the collector.
-  TetrahedraCollector(TetrahedraSink& sink, const StopRequest& stop) : sink_(sink), stop_(stop) {}
+  /// \pre `stop` outlives the collector.
+  TetrahedraCollector(const ChunkLayout& layout, const StopRequest& stop)
+      : layout_(layout), stop_(stop) {}
 
   /// \throw IoError, Interrupted
-  void consume(const FinalWindow& window) override;
+  void consume(const FinalWindow& window, ExportWriter& out) override;
 
  private:
-  TetrahedraSink& sink_;
+  ChunkLayout layout_;
   const StopRequest& stop_;
 };
 

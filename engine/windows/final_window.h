@@ -14,6 +14,8 @@
 
 namespace stream_recon {
 
+class ExportWriter;
+
 /// Position of a point in the Hilbert order of the cloud, duplicates merged.
 using PointRank = std::uint64_t;
 
@@ -51,9 +53,9 @@ class FinalWindow {
 class WindowConsumer {
  public:
   virtual ~WindowConsumer() = default;
-  /// Takes what the window emits; the window is dropped afterwards. Called from several threads at
-  /// once, each with another window.
-  virtual void consume(const FinalWindow& window) = 0;
+  /// Takes what the window emits and exports what later stages need of it; the window is dropped
+  /// afterwards. Called from several threads at once, each with another window.
+  virtual void consume(const FinalWindow& window, ExportWriter& out) = 0;
 };
 
 }  // namespace stream_recon

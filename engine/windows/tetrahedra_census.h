@@ -1,28 +1,25 @@
-// Counts the tetrahedra of the cloud and takes their digest.
+// Counts the tetrahedra that a window emits and takes their digest.
 //
-// Thread rule: consume() from many threads at once, each with its own window; the counts when all
-// are through. Cost: about 15 ns a tetrahedron.
+// Thread rule: a pure function. Cost: about 15 ns a tetrahedron.
 #pragma once
 
 #include <cstdint>
-#include <mutex>
 
 #include "engine/windows/final_window.h"
 #include "spatial/simplex_digest.h"
 
 namespace stream_recon {
 
-class TetrahedraCensus : public WindowConsumer {
- public:
-  void consume(const FinalWindow& window) override;
+struct TetrahedraCensus {
+  std::uint64_t count = 0;
+  SimplexDigest digest;
 
-  std::uint64_t count() const { return count_; }
-  const SimplexDigest& digest() const { return digest_; }
-
- private:
-  std::mutex mutex_;
-  std::uint64_t count_ = 0;
-  SimplexDigest digest_;
+  void merge(const TetrahedraCensus& part) {
+    count += part.count;
+    digest.merge(part.digest);
+  }
 };
+
+TetrahedraCensus take_census(const FinalWindow& window);
 
 }  // namespace stream_recon

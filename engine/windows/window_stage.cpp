@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "engine/parallel.h"
 #include "engine/process_memory.h"
 #include "engine/size_text.h"
+#include "engine/windows/export_writer.h"
 
 namespace stream_recon {
 namespace {
@@ -34,6 +37,11 @@ struct Plan {
   std::uint64_t window_points = 0;
 };
 
+/// What a thread needs besides its window.
+std::uint64_t fixed_memory(const CloudIndex& index) {
+  return CertifiedWindow::fixed_memory(index) + ExportWriter::memory();
+}
+
 [[noreturn]] void refuse(std::uint64_t need, const MemoryBudget& budget) {
   throw BudgetError(
       fmt::format("--memory {} leaves {} for windows, but they need {}; give --memory {} or more",
@@ -44,7 +52,7 @@ struct Plan {
 Plan make_plan(const CloudIndex& index, const WindowStageOptions& options,
                const MemoryBudget& budget) {
   const std::uint64_t available = budget.available();
-  const std::uint64_t fixed = CertifiedWindow::fixed_memory(index);
+  const std::uint64_t fixed = fixed_memory(index);
   Plan plan;
   const std::uint64_t least = IndexCaches::least_memory(1) + fixed + (std::uint64_t{4} << 20);
   if (available < least) refuse(least, budget);
@@ -72,33 +80,36 @@ Plan make_plan(const CloudIndex& index, const WindowStageOptions& options,
 
 class WindowStage {
  public:
-  WindowStage(const CloudIndex& index, std::span<WindowConsumer* const> consumers, const Plan& plan,
+  WindowStage(const WindowStageParts& parts, WindowProgress progress, const Plan& plan,
               const StageContext& context)
-      : index_(index),
-        consumers_(consumers),
+      : parts_(parts),
         plan_(plan),
         context_(context),
         memory_(context.budget.reserve(
-            plan.cache_bytes +
-                plan.threads * (plan.window_bytes + CertifiedWindow::fixed_memory(index)),
+            plan.cache_bytes + plan.threads * (plan.window_bytes + fixed_memory(parts.index)),
             "the windows")),
-        caches_(context.scratch, index, plan.cache_bytes),
+        caches_(context.scratch, parts.index, plan.cache_bytes),
+        progress_(std::move(progress)),
+        open_(progress_.open_ranges(parts.index.point_count)),
         window_points_(plan.window_points) {}
 
-  WindowStageResult run() {
-    context_.progress.begin_stage("delaunay", index_.point_count, "points");
+  WindowProgress run() {
+    context_.progress.begin_stage("delaunay", parts_.index.point_count, "points");
+    context_.progress.advance(progress_.done_points());
     parallel_for_ranges(plan_.threads, 1, [this](std::size_t begin, std::size_t end) {
       for (std::size_t worker = begin; worker < end; ++worker) work();
     });
     context_.progress.end_stage();
-    return result_;
+    return std::move(progress_);
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   /// One worker: windows in the order of the curve until none is left.
   void work() {
     IndexReader reader(caches_);
-    CertifiedWindow window(index_, reader, context_.stop);
+    CertifiedWindow window(parts_.index, reader, context_.stop);
     for (;;) {
       const OwnedRange owned = next_range();
       if (owned.count == 0) return;
@@ -108,25 +119,52 @@ class WindowStage {
 
   OwnedRange next_range() {
     const std::lock_guard lock(mutex_);
-    const std::uint64_t count = std::min(window_points_, index_.point_count - next_);
-    const OwnedRange owned{next_, count};
-    next_ += count;
+    if (next_open_ == open_.size()) return {};
+    OwnedRange& open = open_[next_open_];
+    const OwnedRange owned{open.first, std::min(window_points_, open.count)};
+    open.first += owned.count;
+    open.count -= owned.count;
+    if (open.count == 0) ++next_open_;
     return owned;
   }
 
   void build_and_consume(CertifiedWindow& window, const OwnedRange& owned) {
+    const Clock::time_point began = Clock::now();
     if (window.build(owned, plan_.window_bytes) == CertifiedWindow::Outcome::kOutgrown) {
       split(window, owned);
       return;
     }
-    for (WindowConsumer* consumer : consumers_) consumer->consume(window.view());
-    {
-      const std::lock_guard lock(mutex_);
-      ++result_.windows;
-      result_.counts.add(window.counts());
-    }
+    const FinalWindow view = window.view();
+    const TetrahedraCensus census = take_census(view);
+    ExportWriter out(context_.scratch, owned.first);
+    for (WindowConsumer* consumer : parts_.consumers) consumer->consume(view, out);
+    const WindowCounts counts = window.counts();
     window.clear();
+    const std::uint64_t records = out.finish();
+    finish(owned, {.windows = 1,
+                   .counts = counts,
+                   .tetrahedra = census,
+                   .export_files = records != 0 ? 1U : 0U,
+                   .export_records = records});
+    expect(owned.count, Clock::now() - began);
+  }
+
+  void finish(const OwnedRange& owned, const WindowTotals& totals) {
+    const std::lock_guard lock(mutex_);
+    progress_.totals.add(totals);
+    progress_.add_range(owned);
+    if (parts_.observer) parts_.observer(progress_);
     context_.progress.advance(owned.count);
+  }
+
+  /// What is left, judged by what the windows of this run have cost so far.
+  void expect(std::uint64_t points, Clock::duration cost) {
+    const std::lock_guard lock(mutex_);
+    cost_seconds_ += std::chrono::duration<double>(cost).count();
+    cost_points_ += points;
+    const auto left = static_cast<double>(parts_.index.point_count - progress_.done_points());
+    context_.progress.expect(left * cost_seconds_ / static_cast<double>(cost_points_) /
+                             plan_.threads);
   }
 
   void split(CertifiedWindow& window, const OwnedRange& owned) {
@@ -135,7 +173,7 @@ class WindowStage {
     if (owned.count <= kLeafPoints) refuse_star(owned, bytes);
     {
       const std::lock_guard lock(mutex_);
-      ++result_.splits;
+      ++progress_.totals.splits;
       // Those to come are likely to outgrow it as well, and a split costs a window; but a few large
       // stars must not make all of them small.
       if (owned.count >= window_points_) {
@@ -157,25 +195,27 @@ class WindowStage {
         size_text(bytes), size_argument(used + 2 * plan_.window_bytes)));
   }
 
-  const CloudIndex& index_;
-  std::span<WindowConsumer* const> consumers_;
+  const WindowStageParts& parts_;
   const Plan plan_;
   const StageContext& context_;
   Reservation memory_;
   IndexCaches caches_;
-  std::mutex mutex_;
-  PointRank next_ = 0;
+  std::mutex mutex_;  ///< guards what follows
+  WindowProgress progress_;
+  std::vector<OwnedRange> open_;
+  std::size_t next_open_ = 0;
   std::uint64_t window_points_;  ///< of the windows to come
-  WindowStageResult result_;
+  double cost_seconds_ = 0;
+  std::uint64_t cost_points_ = 0;
 };
 
 }  // namespace
 
-WindowStageResult run_window_stage(const CloudIndex& index,
-                                   std::span<WindowConsumer* const> consumers,
-                                   const WindowStageOptions& options, const StageContext& context) {
-  const Plan plan = make_plan(index, options, context.budget);
-  return WindowStage(index, consumers, plan, context).run();
+WindowProgress run_window_stage(const WindowStageParts& parts, WindowProgress progress,
+                                const WindowStageOptions& options, const StageContext& context) {
+  if (progress.done_points() == parts.index.point_count) return progress;
+  const Plan plan = make_plan(parts.index, options, context.budget);
+  return WindowStage(parts, std::move(progress), plan, context).run();
 }
 
 }  // namespace stream_recon

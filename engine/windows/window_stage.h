@@ -1,17 +1,19 @@
 // All windows of a cloud: cut by the memory there is, built side by side, handed to the consumers.
 //
 // Guarantees: every rank is owned by one window, so that the consumers see each simplex of the
-// cloud once, whatever the memory and the threads. A window that outgrows its memory is split and
-// built again; only when sixteen points' stars do not fit is the budget impossible. Thread rule:
-// called by one thread; consumers are called by many at once. Memory: all that the budget has left,
-// or less if the cloud needs less.
+// cloud once, whatever the memory and the threads. What is told as finished is in the scratch
+// directory for good: a later run goes on from there. A window that outgrows its memory is split
+// and built again; only when sixteen points' stars do not fit is the budget impossible. Thread
+// rule: called by one thread; consumers are called by many at once. Memory: all that the budget has
+// left, or less if the cloud needs less.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "engine/stage_context.h"
-#include "engine/windows/certified_window.h"
+#include "engine/windows/window_progress.h"
 
 namespace stream_recon {
 
@@ -21,15 +23,18 @@ struct WindowStageOptions {
   std::uint64_t window_points = 0;
 };
 
-struct WindowStageResult {
-  std::uint64_t windows = 0;
-  std::uint64_t splits = 0;
-  WindowCounts counts;
+/// Who wants to know that windows are finished; called by one thread at a time.
+using WindowObserver = std::function<void(const WindowProgress&)>;
+
+struct WindowStageParts {
+  const CloudIndex& index;
+  std::span<WindowConsumer* const> consumers;
+  WindowObserver observer;  ///< may be empty
 };
 
+/// Builds the windows that `progress` lacks. \return The whole progress
 /// \throw BudgetError, IoError, Interrupted
-WindowStageResult run_window_stage(const CloudIndex& index,
-                                   std::span<WindowConsumer* const> consumers,
-                                   const WindowStageOptions& options, const StageContext& context);
+WindowProgress run_window_stage(const WindowStageParts& parts, WindowProgress progress,
+                                const WindowStageOptions& options, const StageContext& context);
 
 }  // namespace stream_recon

@@ -1,0 +1,105 @@
+#include "engine/restart/run_identity.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "engine/version.h"
+#include "io/checksum.h"
+
+namespace stream_recon {
+namespace {
+
+// In the order of InputFormat.
+constexpr std::array kFormatNames{"auto", "ply", "xyz", "f32", "f64", "vtk", "vtp"};
+
+constexpr std::uint64_t kSample = std::uint64_t{64} << 10;
+
+std::string absolute_path(const std::string& path) {
+  if (path.empty() || path == "-") return path;
+  std::error_code error;
+  const auto absolute = std::filesystem::weakly_canonical(path, error);
+  return error ? path : absolute.string();
+}
+
+/// Of the beginning, the middle and the end.
+std::uint64_t sample_checksum(const std::string& path, std::uint64_t size) {
+  const File file = File::open(path);
+  std::vector<std::byte> sample(std::min(kSample, size));
+  std::uint64_t sum = 0;
+  for (const std::uint64_t at : {std::uint64_t{0}, size / 2, size - sample.size()}) {
+    file.read_at(std::min(at, size - sample.size()), sample);
+    sum = checksum64(sample, sum);
+  }
+  return sum;
+}
+
+std::string describe_input(const std::string& path) {
+  if (path == "-") return path;
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) throw_system_error("open", path, errno);
+  if (!S_ISREG(status.st_mode)) return absolute_path(path);
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  return fmt::format("{}, {} bytes, changed at {}.{:09}, checksum {:016x}", absolute_path(path),
+                     size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec,
+                     sample_checksum(path, size));
+}
+
+}  // namespace
+
+RunIdentity identity_of(const RunOptions& options) {
+  RunIdentity identity{
+      {"version", version()},
+      {"output", options.surface == SurfaceKind::kNone ? "" : absolute_path(options.output)},
+      {"--tetrahedra", absolute_path(options.tetrahedra)},
+      {"--surface", kind_name(options.surface)},
+      {"--chunk-points", fmt::format("{}", options.chunk_points)},
+      {"--input-format", kFormatNames.at(static_cast<std::size_t>(options.input_format))}};
+  if (options.surface == SurfaceKind::kGamma) {
+    identity["--delta-max"] = fmt::format("{}", options.delta_max_degrees);
+  }
+  if (options.surface == SurfaceKind::kAlpha) {
+    identity["--alpha"] = fmt::format("{}", options.alpha);
+  }
+  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+    identity[fmt::format("input {}", i + 1)] = describe_input(options.inputs[i]);
+  }
+  return identity;
+}
+
+bool have_same_outputs(const RunIdentity& a, const RunIdentity& b) {
+  const auto value = [](const RunIdentity& identity, const char* key) {
+    const auto at = identity.find(key);
+    return at == identity.end() ? std::string() : at->second;
+  };
+  for (const char* key : {"output", "--tetrahedra"}) {
+    if (value(a, key) != value(b, key)) return false;
+  }
+  const std::string output = value(a, "output");
+  const bool has_file = (!output.empty() && output != "-") || !value(a, "--tetrahedra").empty();
+  return has_file || value(a, "input 1") == value(b, "input 1");
+}
+
+std::optional<std::string> difference(const RunIdentity& before, const RunIdentity& now) {
+  const auto describe = [](const RunIdentity& identity, const std::string& key) {
+    const auto at = identity.find(key);
+    return at == identity.end() ? std::string("nothing") : at->second;
+  };
+  for (const RunIdentity* side : {&before, &now}) {
+    for (const auto& entry : *side) {
+      const std::string& key = entry.first;
+      const std::string then = describe(before, key);
+      const std::string here = describe(now, key);
+      if (then != here) return fmt::format("{}: {} then, {} now", key, then, here);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace stream_recon
