@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/alpha/alpha_filter.h"
+#include "engine/disk_estimate.h"
 #include "engine/gamma/gamma_filter.h"
 #include "engine/order/hilbert_sort.h"
 #include "engine/order/ingest.h"
@@ -43,6 +44,7 @@ class Pipeline {
 
   void run() {
     const CloudSummary cloud = journal_.once(&Manifest::cloud, [&] { return read_input(); });
+    tell_disk(cloud);
     const auto surface_writer = make_writer(cloud);
     const auto tetrahedra_writer = make_tetrahedra_writer(cloud);
     const OrderResult order = journal_.once(&Manifest::order, [&] { return sort(cloud); });
@@ -73,6 +75,15 @@ class Pipeline {
     });
     log_.add_bytes_read(cloud.bytes);
     return cloud;
+  }
+
+  void tell_disk(const CloudSummary& cloud) const {
+    const DiskOutlook outlook = disk_outlook(estimate_disk(cloud.finite_points(), options_),
+                                             options_, context_.scratch.used_bytes());
+    context_.progress.note(outlook.text);
+    if (outlook.is_short) {
+      options_.say(outlook.text + ": the disk may become full; the run can then be resumed");
+    }
   }
 
   OrderResult sort(const CloudSummary& cloud) {

@@ -74,6 +74,15 @@ void Progress::end_stage() {
   show(true);
 }
 
+void Progress::note(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  if (style_ == ProgressStyle::kBar) fmt::print(out_, "\r\033[K{}\n", text);
+  if (style_ == ProgressStyle::kJson) {
+    fmt::print(out_, "{}\n", nlohmann::ordered_json{{"note", text}}.dump());
+  }
+  std::fflush(out_);
+}
+
 void Progress::show(bool last) {
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   if (style_ == ProgressStyle::kBar) show_bar(seconds, last);

@@ -36,6 +36,8 @@ class Progress {
   /// The stage will take this much longer; until told, the time left is judged by the rate.
   void expect(double seconds);
   void end_stage();
+  /// A line for the person or program that watches.
+  void note(const std::string& text);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 
 #include "io/error.h"
@@ -78,6 +79,19 @@ std::vector<std::string> list_folder(const std::string& path) {
   if (error) throw_system_error("list folder", path, error.value());
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::uint64_t free_bytes(const std::string& folder) {
+  std::error_code error;
+  const auto space = std::filesystem::space(folder, error);
+  return error ? std::numeric_limits<std::uint64_t>::max() : space.available;
+}
+
+bool are_on_one_disk(const std::string& folder, const std::string& other) {
+  struct stat one {};
+  struct stat two {};
+  return ::stat(folder.c_str(), &one) == 0 && ::stat(other.c_str(), &two) == 0 &&
+         one.st_dev == two.st_dev;
 }
 
 bool path_exists(const std::string& path) {

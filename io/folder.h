@@ -5,6 +5,7 @@
 // Thread rule: thread-safe where the file system is.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,13 @@ std::string parent_folder(const std::string& path);
 
 /// Names in a folder, sorted. \throw IoError
 std::vector<std::string> list_folder(const std::string& path);
+
+/// Bytes that may still be written where the folder lies; all of 64 bits where the system does not
+/// say.
+std::uint64_t free_bytes(const std::string& folder);
+
+/// Whether both folders share the room there is.
+bool are_on_one_disk(const std::string& folder, const std::string& other);
 
 bool path_exists(const std::string& path);
 bool is_folder(const std::string& path);

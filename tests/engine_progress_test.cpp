@@ -53,6 +53,24 @@ TEST(Progress, JsonLinesHaveRateAndTimeLeft) {
   EXPECT_NEAR(line.at("seconds_left").get<double>(), 3 * line.at("seconds").get<double>(), 1e-6);
 }
 
+TEST(Progress, TimeLeftIsWhatItIsToldToExpect) {
+  std::FILE* const file = std::tmpfile();
+  {
+    Progress progress(ProgressStyle::kJson, file);
+    progress.begin_stage("delaunay", 100, "points");
+    progress.expect(1000);
+    progress.note("disk: plenty");
+    progress.end_stage();
+  }
+  std::string text(static_cast<std::size_t>(std::ftell(file)), '\0');
+  std::rewind(file);
+  ASSERT_EQ(std::fread(text.data(), 1, text.size(), file), text.size());
+  std::fclose(file);
+  const std::size_t last = text.rfind('\n', text.size() - 2) + 1;
+  EXPECT_NEAR(nlohmann::json::parse(text.substr(last)).at("seconds_left").get<double>(), 1000, 30);
+  EXPECT_THAT(text, HasSubstr("{\"note\":\"disk: plenty\"}\n"));
+}
+
 TEST(Progress, BarEndsItsLine) {
   const std::string text = shown(ProgressStyle::kBar, 1000);
   EXPECT_THAT(text, HasSubstr("100 %"));
