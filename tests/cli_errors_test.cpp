@@ -12,7 +12,6 @@
 namespace stream_recon {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -153,41 +152,6 @@ TEST_F(Refusals, SignalsEndTheRunWith130AndRemoveItsFiles) {
     EXPECT_EQ(outcome.exit_code, 130) << outcome.error;
     EXPECT_THAT(outcome.error, HasSubstr("interrupted"));
     EXPECT_EQ(folder_.names(), before_);
-  }
-}
-
-TEST_F(Refusals, AfterLongWorkKeepItAndSayHowToGoOn) {
-  const Outcome full = folder_.run("stream-recon cube.ply -o - --scratch . >/dev/full");
-  EXPECT_EQ(full.exit_code, 74);
-  EXPECT_THAT(full.error, AllOf(HasSubstr("standard output"), HasSubstr("add --resume")));
-  EXPECT_EQ(std::count(full.error.begin(), full.error.end(), '\n'), 1) << full.error;
-}
-
-TEST_F(Refusals, SignalsAfterTheFirstWindowEndTheRunWith75AndItGoesOnToTheSameBytes) {
-  const std::string options = " --memory 64M --threads 1 --scratch .";
-  ASSERT_EQ(folder_
-                .run("make-cloud folded -n 200000 -o big.ply; mkdir fine; stream-recon big.ply"
-                     " -o fine/out.ply" +
-                     options)
-                .exit_code,
-            0);
-  for (const std::string signal : {"INT", "TERM"}) {
-    SCOPED_TRACE(signal);
-    // Progress tells when the first window is done; a shell's background jobs ignore SIGINT.
-    const Outcome stopped = folder_.run(
-        "env --default-signal=INT stream-recon big.ply -o out.ply --progress json" + options +
-        " 2>progress & run=$!\n"
-        "until grep -q 'delaunay\",\"done\":[1-9]' progress; do sleep 0.05; done\n"
-        "kill -" +
-        signal + " $run; wait $run");
-    EXPECT_EQ(stopped.exit_code, 75);
-    EXPECT_THAT(folder_.bytes("progress"), HasSubstr("with --resume to go on"));
-    EXPECT_FALSE(folder_.has("out.ply"));
-    const Outcome resumed = folder_.run("stream-recon big.ply -o out.ply --resume" + options);
-    EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
-    EXPECT_EQ(resumed.error, "");
-    EXPECT_TRUE(folder_.bytes("out.ply") == folder_.bytes("fine/out.ply"));
-    folder_.run("rm out.ply");
   }
 }
 
