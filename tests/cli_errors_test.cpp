@@ -104,9 +104,10 @@ TEST_F(Refusals, OfBadInputAre65) {
 
 TEST_F(Refusals, OfTooLittleMemoryAre69WithTheLeastThatWouldDo) {
   expect_refused({"cube.ply -o out.pvtp --memory 10M", 69, "--memory 64M or more"});
-  ASSERT_EQ(folder_.run("make-cloud folded -n 300000 -o big.ply").exit_code, 0);
+  // Every facet of the cloud in one chunk.
+  ASSERT_EQ(folder_.run("make-cloud folded -n 100000 -o big.ply").exit_code, 0);
   before_ = folder_.names();
-  expect_refused({"big.ply -o out.pvtp --memory 64M --chunk-points 300000", 69, "or more"});
+  expect_refused({"big.ply -o out.pvtp --memory 64M --delta-max 180", 69, "or more"});
 }
 
 TEST_F(Refusals, OfTheSystemAre74) {
