@@ -33,6 +33,12 @@ class ThreadLimit {
   tbb::global_control control_;
 };
 
+/// Threads that the loops below run on at most.
+inline unsigned threads_in_use() {
+  using Control = tbb::global_control;
+  return static_cast<unsigned>(Control::active_value(Control::max_allowed_parallelism));
+}
+
 /// Sorts in place. \pre `less` is a total order on what is sorted.
 template <class Iterator, class Less>
 void parallel_sort(Iterator first, Iterator last, const Less& less) {

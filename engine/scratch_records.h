@@ -19,6 +19,11 @@ constexpr std::uint64_t record_file_memory(std::uint64_t block_bytes) {
   return 3 * block_bytes + (std::uint64_t{3} << 19);
 }
 
+/// What a cursor on a file of blocks of `block_bytes` holds at most, bytes: no compressor's tables.
+constexpr std::uint64_t record_cursor_memory(std::uint64_t block_bytes) {
+  return 3 * block_bytes + (std::uint64_t{1} << 18);
+}
+
 /// \throw IoError cannot create
 template <DiskRecord Record>
 RecordWriter<Record> create_records(ScratchDirectory& scratch, const std::string& name,

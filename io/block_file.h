@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,18 +17,35 @@
 
 namespace stream_recon {
 
+/// Runs body(0) ... body(count - 1), side by side if it can, and waits for them.
+using BlockLoop =
+    std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
+
+/// How many blocks a writer gathers, to encode them together by `loop`.
+struct BlockBatch {
+  std::size_t blocks = 1;
+  BlockLoop loop = [](std::size_t count, const auto& body) {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+  };
+};
+
 struct BlockFileOptions {
   /// Bytes of one record, 1 to block_bytes.
   std::size_t record_bytes = 0;
   /// Raw bytes of a block, at most 1 GiB; rounded down to whole records.
   std::size_t block_bytes = std::size_t{1} << 20;
+  BlockBatch batch = {};
 };
 
-/// Appends records. Memory: one block + a BlockCodec + 8 bytes a block written. Thread rule: one.
+/// Appends records; the bytes are the same whatever the batch. Memory: a block and a BlockCodec for
+/// each block of the batch, 8 bytes a block written. Thread rule: one.
 class BlockFileWriter {
  public:
   /// Writes to `file`, new and empty. \throw IoError; std::invalid_argument sizes out of range
   BlockFileWriter(File file, const BlockFileOptions& options);
+  ~BlockFileWriter();
+  BlockFileWriter(BlockFileWriter&&) noexcept;
+  BlockFileWriter& operator=(BlockFileWriter&&) noexcept;
 
   /// Appends whole records. \throw IoError
   void append(std::span<const std::byte> records);
@@ -38,15 +56,19 @@ class BlockFileWriter {
   std::size_t memory_bytes() const;
 
  private:
-  void write_block();
+  struct Block;
+
+  void encode(Block& block, std::uint64_t number) const;
+  void write_batch();
 
   File file_;
   std::size_t record_bytes_;
   std::size_t block_bytes_;
-  std::vector<std::byte> pending_;
+  BlockLoop loop_;
+  std::vector<Block> batch_;
+  std::size_t filling_ = 0;  ///< block of the batch; those before are full
   std::vector<std::uint64_t> offsets_;
   std::uint64_t record_count_ = 0;
-  BlockCodec codec_;
 };
 
 /// A finished file. Memory: 8 bytes a block. Thread rule: reading is const and thread-safe, with a

@@ -33,11 +33,21 @@ void seal(Struct& object, std::uint64_t seed) {
 
 }  // namespace
 
+/// One block of the batch: its records, then what goes to the file.
+struct BlockFileWriter::Block {
+  std::vector<std::byte> records;
+  BlockCodec codec;
+  detail::BlockHeader header;
+  std::span<const std::byte> stored;  ///< of the records or the codec
+};
+
 BlockFileWriter::BlockFileWriter(File file, const BlockFileOptions& options)
     : file_(std::move(file)),
       record_bytes_(options.record_bytes),
-      block_bytes_(whole_records(options)) {
-  pending_.reserve(block_bytes_);
+      block_bytes_(whole_records(options)),
+      loop_(options.batch.loop),
+      batch_(std::max<std::size_t>(options.batch.blocks, 1)) {
+  for (Block& block : batch_) block.records.reserve(block_bytes_);
   detail::FileHeader header;
   header.record_bytes = static_cast<std::uint32_t>(record_bytes_);
   header.records_per_block = static_cast<std::uint32_t>(block_bytes_ / record_bytes_);
@@ -45,33 +55,50 @@ BlockFileWriter::BlockFileWriter(File file, const BlockFileOptions& options)
   file_.write(bytes_of(header));
 }
 
+BlockFileWriter::~BlockFileWriter() = default;
+BlockFileWriter::BlockFileWriter(BlockFileWriter&&) noexcept = default;
+BlockFileWriter& BlockFileWriter::operator=(BlockFileWriter&&) noexcept = default;
+
 void BlockFileWriter::append(std::span<const std::byte> records) {
   record_count_ += records.size() / record_bytes_;
   while (!records.empty()) {
-    const auto part = records.first(std::min(records.size(), block_bytes_ - pending_.size()));
-    pending_.insert(pending_.end(), part.begin(), part.end());
+    auto& pending = batch_[filling_].records;
+    const auto part = records.first(std::min(records.size(), block_bytes_ - pending.size()));
+    pending.insert(pending.end(), part.begin(), part.end());
     records = records.subspan(part.size());
-    if (pending_.size() == block_bytes_) write_block();
+    if (pending.size() == block_bytes_) ++filling_;
+    if (filling_ == batch_.size()) write_batch();
   }
 }
 
-void BlockFileWriter::write_block() {
-  const EncodedBlock encoded = codec_.encode(pending_, record_bytes_);
-  detail::BlockHeader header;
-  header.encoding = static_cast<std::uint32_t>(encoded.encoding);
-  header.record_count = static_cast<std::uint32_t>(pending_.size() / record_bytes_);
-  header.raw_bytes = static_cast<std::uint32_t>(pending_.size());
-  header.stored_bytes = static_cast<std::uint32_t>(encoded.bytes.size());
-  header.number = static_cast<std::uint32_t>(offsets_.size());
-  seal(header, checksum64(encoded.bytes));
-  offsets_.push_back(file_.position());
-  file_.write(bytes_of(header));
-  file_.write(encoded.bytes);
-  pending_.clear();
+void BlockFileWriter::encode(Block& block, std::uint64_t number) const {
+  const EncodedBlock encoded = block.codec.encode(block.records, record_bytes_);
+  block.stored = encoded.bytes;
+  block.header = {};
+  block.header.encoding = static_cast<std::uint32_t>(encoded.encoding);
+  block.header.record_count = static_cast<std::uint32_t>(block.records.size() / record_bytes_);
+  block.header.raw_bytes = static_cast<std::uint32_t>(block.records.size());
+  block.header.stored_bytes = static_cast<std::uint32_t>(encoded.bytes.size());
+  block.header.number = static_cast<std::uint32_t>(number);
+  seal(block.header, checksum64(encoded.bytes));
+}
+
+void BlockFileWriter::write_batch() {
+  const std::size_t partial = filling_ < batch_.size() && !batch_[filling_].records.empty() ? 1 : 0;
+  const auto blocks = std::span(batch_).first(filling_ + partial);
+  const std::uint64_t first = offsets_.size();
+  loop_(blocks.size(), [&](std::size_t i) { encode(blocks[i], first + i); });
+  for (Block& block : blocks) {
+    offsets_.push_back(file_.position());
+    file_.write(bytes_of(block.header));
+    file_.write(block.stored);
+    block.records.clear();
+  }
+  filling_ = 0;
 }
 
 void BlockFileWriter::finish() {
-  if (!pending_.empty()) write_block();
+  write_batch();
   const auto index = std::as_bytes(std::span(offsets_));
   detail::FileTrailer trailer;
   trailer.index_offset = file_.position();
@@ -84,7 +111,9 @@ void BlockFileWriter::finish() {
 }
 
 std::size_t BlockFileWriter::memory_bytes() const {
-  return pending_.capacity() + offsets_.capacity() * sizeof offsets_[0] + codec_.memory_bytes();
+  std::size_t bytes = offsets_.capacity() * sizeof offsets_[0];
+  for (const Block& block : batch_) bytes += block.records.capacity() + block.codec.memory_bytes();
+  return bytes;
 }
 
 }  // namespace stream_recon

@@ -72,8 +72,10 @@ std::string ChunkedOutput::chunk_name(std::uint64_t number) const {
   return std::string(kChunkPrefix) + digits.data() + names_.chunk_ending;
 }
 
-File ChunkedOutput::create_chunk() {
-  return File::create(staging_.path() + "/" + chunk_name(chunk_count_++));
+File ChunkedOutput::create_chunk(std::uint64_t number) {
+  File file = File::create(staging_.path() + "/" + chunk_name(number));
+  ++chunk_count_;
+  return file;
 }
 
 std::vector<std::string> ChunkedOutput::chunk_paths() const {

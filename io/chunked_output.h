@@ -5,9 +5,10 @@
 // the folder its name, then the index: a readable index means a complete result, never a mixed one.
 // Until keep() an object that goes takes its result away and puts the older one back. A folder of
 // that name with files that are no chunks is refused at the start.
-// Thread rule: one thread. Memory: the names.
+// Thread rule: one thread, but create_chunk() is thread-safe. Memory: the names.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,8 +31,9 @@ class ChunkedOutput {
   /// \throw IoError cannot create; std::invalid_argument the name is nothing but its ending
   explicit ChunkedOutput(Names names);
 
-  /// The next chunk, to be filled and closed before the one after. \throw IoError
-  File create_chunk();
+  /// A chunk by its number, to be filled and closed. Numbers come in any order; in the end they are
+  /// 0, 1, ... without a gap. \throw IoError
+  File create_chunk(std::uint64_t number);
   /// Paths of the chunks as the index, which lies beside the folder, says them.
   std::vector<std::string> chunk_paths() const;
 
@@ -47,7 +49,7 @@ class ChunkedOutput {
 
   Names names_;
   std::string folder_;
-  std::uint64_t chunk_count_ = 0;
+  std::atomic<std::uint64_t> chunk_count_ = 0;
   std::string old_index_;
   std::string old_folder_;
   // The renames are undone before the staged files are removed: members go in reverse order.

@@ -22,7 +22,8 @@ class PlyWriter final : public SurfaceWriter {
   explicit PlyWriter(const SurfaceWriterOptions& options)
       : scalar_(options.coordinates), parts_(*options.scratch, kPartCount), target_(options.path) {}
 
-  void write(const SurfaceChunk& chunk) override;
+  bool takes_chunks_in_order() const override { return true; }
+  void write(std::uint64_t number, const SurfaceChunk& chunk) override;
   std::uint64_t bytes_written() const override { return bytes_written_; }
 
  private:
@@ -37,7 +38,7 @@ class PlyWriter final : public SurfaceWriter {
   std::uint64_t bytes_written_ = 0;
 };
 
-void PlyWriter::write(const SurfaceChunk& chunk) {
+void PlyWriter::write(std::uint64_t /*number*/, const SurfaceChunk& chunk) {
   const auto new_points = points_.take_new(chunk, "PLY");
   ByteSink vertices(std::endian::little, new_points.size() * 3 * scalar_bytes(scalar_));
   for (const std::uint32_t i : new_points) put_point(vertices, chunk.points[i], scalar_);

@@ -1,5 +1,6 @@
 #include "io/pvtp_writer.h"
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 
@@ -21,12 +22,13 @@ class PvtpWriter final : public SurfaceWriter {
  public:
   explicit PvtpWriter(const SurfaceWriterOptions& options)
       : scalar_(options.coordinates),
-        output_({.index = options.path, .index_ending = ".pvtp", .chunk_ending = ".vtp"}),
-        chunk_writer_(options.coordinates) {}
+        output_({.index = options.path, .index_ending = ".pvtp", .chunk_ending = ".vtp"}) {}
 
-  void write(const SurfaceChunk& chunk) override {
-    File file = output_.create_chunk();
-    chunk_writer_.write(chunk, file);
+  bool takes_chunks_in_order() const override { return false; }
+
+  void write(std::uint64_t number, const SurfaceChunk& chunk) override {
+    File file = output_.create_chunk(number);
+    VtpWriter(scalar_).write(chunk, file);
     bytes_written_ += file.position();
     file.close();
   }
@@ -35,7 +37,7 @@ class PvtpWriter final : public SurfaceWriter {
 
  private:
   void complete() override {
-    if (bytes_written_ == 0) write({});  // readers expect a piece, even an empty one
+    if (bytes_written_ == 0) write(0, {});  // readers expect a piece, even an empty one
     const std::string text = index_text({.type = "PolyData",
                                          .cell_data = kCellData,
                                          .scalar = scalar_,
@@ -51,8 +53,7 @@ class PvtpWriter final : public SurfaceWriter {
 
   Scalar scalar_;
   ChunkedOutput output_;
-  VtpWriter chunk_writer_;
-  std::uint64_t bytes_written_ = 0;
+  std::atomic<std::uint64_t> bytes_written_ = 0;
 };
 
 }  // namespace

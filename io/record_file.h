@@ -20,8 +20,9 @@ concept DiskRecord = std::is_trivially_copyable_v<Record> && !std::is_pointer_v<
 template <DiskRecord Record>
 class RecordWriter {
  public:
-  explicit RecordWriter(File file, std::size_t block_bytes = std::size_t{1} << 20)
-      : writer_(std::move(file), {sizeof(Record), block_bytes}) {}
+  explicit RecordWriter(File file, std::size_t block_bytes = std::size_t{1} << 20,
+                        const BlockBatch& batch = {})
+      : writer_(std::move(file), {sizeof(Record), block_bytes, batch}) {}
 
   void append(std::span<const Record> records) { writer_.append(std::as_bytes(records)); }
   void append(const Record& record) { append(std::span(&record, 1)); }

@@ -2,7 +2,7 @@
 //
 // Guarantees: nothing stands under the final name until finish(); a writer destroyed before that
 // removes what it wrote. The bytes written are a function of the chunks alone.
-// Memory: one encoded chunk. Thread rule: one writer.
+// Memory: one encoded chunk a call of write(). Thread rule: one thread, but write() as said there.
 #pragma once
 
 #include <array>
@@ -26,9 +26,10 @@ enum class TriangleSource : std::uint8_t { kGamma = 0, kAlpha = 1 };
 struct SurfaceChunk {
   std::vector<Point3> points;             ///< bit-equal to the input
   std::vector<std::uint64_t> global_ids;  ///< input index of each point
-  /// Position of each point in the vertex list of the whole surface, counted in the order of first
-  /// appearance (chunk by chunk, then by position in the chunk): a point is new in this chunk iff
-  /// its number is not below the count of vertices of all chunks before.
+  /// For writers that take chunks in order: position of each point in the vertex list of the whole
+  /// surface, counted in the order of first appearance (chunk by chunk, then by position in the
+  /// chunk): a point is new in this chunk iff its number is not below the count of vertices of all
+  /// chunks before.
   std::vector<std::uint64_t> vertex_numbers;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< positions in `points`
   std::vector<float> delta;                             ///< angle of the facet's balls, degrees
@@ -48,8 +49,11 @@ struct SurfaceWriterOptions {
 class SurfaceWriter {
  public:
   virtual ~SurfaceWriter() = default;
-  /// \throw IoError
-  virtual void write(const SurfaceChunk& chunk) = 0;
+  /// Whether chunks must come one after the other, by ascending number, with vertex numbers. Else
+  /// they may come side by side from several threads, in any order.
+  virtual bool takes_chunks_in_order() const = 0;
+  /// \param number of the chunk among those written, from 0 \throw IoError
+  virtual void write(std::uint64_t number, const SurfaceChunk& chunk) = 0;
   /// No more chunks: completes the output, under another name still, so that finish() has nothing
   /// but renames to do. What goes to standard output is there after it. \throw IoError
   void prepare() {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "io/file.h"
+#include "io/vtk_xml_blocks.h"
 #include "io/vtk_xml_document.h"
 #include "io/vtk_xml_mesh.h"
 
@@ -41,15 +42,16 @@ TetrahedraWriter::TetrahedraWriter(const TetrahedraWriterOptions& options)
     : scalar_(options.coordinates),
       output_({.index = options.path, .index_ending = ".pvtu", .chunk_ending = ".vtu"}) {}
 
-void TetrahedraWriter::write(const TetrahedraChunk& chunk) {
+void TetrahedraWriter::write(std::uint64_t number, const TetrahedraChunk& chunk) {
   VtkXmlDocument document(kType);
   document.add("<Piece NumberOfPoints=\"" + std::to_string(chunk.points.size()) +
                "\" NumberOfCells=\"" + std::to_string(chunk.tetrahedra.size()) + "\">\n");
   add_points(document, {chunk.points, chunk.global_ids, scalar_});
   add_cells(document, chunk);
   document.add("</Piece>\n");
-  File file = output_.create_chunk();
-  document.write(blocks_, file);
+  File file = output_.create_chunk(number);
+  VtkXmlBlocks blocks;
+  document.write(blocks, file);
   file.close();
 }
 

@@ -2,7 +2,8 @@
 //
 // Guarantees: as io/chunked_output.h; the bytes written are a function of the chunks alone. Arrays
 // are appended raw and compressed; layout: docs/formats.md.
-// Memory: the chunk and one block of an array. Thread rule: one thread.
+// Memory: a chunk and one block of an array a call of write(). Thread rule: one thread, but write()
+// is thread-safe.
 #pragma once
 
 #include <array>
@@ -12,7 +13,6 @@
 
 #include "io/chunked_output.h"
 #include "io/coordinates.h"
-#include "io/vtk_xml_blocks.h"
 #include "spatial/point.h"
 
 namespace stream_recon {
@@ -36,8 +36,8 @@ class TetrahedraWriter {
   /// \throw IoError cannot create; std::invalid_argument the name is nothing but its ending
   explicit TetrahedraWriter(const TetrahedraWriterOptions& options);
 
-  /// \throw IoError
-  void write(const TetrahedraChunk& chunk);
+  /// \param number of the chunk among those written, from 0; in any order \throw IoError
+  void write(std::uint64_t number, const TetrahedraChunk& chunk);
 
   /// prepare(), publish(), keep(): as ChunkedOutput, so that a result of several files can appear
   /// whole or not at all. \throw IoError
@@ -48,7 +48,6 @@ class TetrahedraWriter {
  private:
   Scalar scalar_;
   ChunkedOutput output_;
-  VtkXmlBlocks blocks_;
 };
 
 }  // namespace stream_recon

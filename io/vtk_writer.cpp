@@ -20,7 +20,8 @@ class VtkWriter final : public SurfaceWriter {
   explicit VtkWriter(const SurfaceWriterOptions& options)
       : scalar_(options.coordinates), parts_(*options.scratch, kPartCount), target_(options.path) {}
 
-  void write(const SurfaceChunk& chunk) override;
+  bool takes_chunks_in_order() const override { return true; }
+  void write(std::uint64_t number, const SurfaceChunk& chunk) override;
   std::uint64_t bytes_written() const override { return bytes_written_; }
 
  private:
@@ -37,7 +38,7 @@ class VtkWriter final : public SurfaceWriter {
   std::uint64_t bytes_written_ = 0;
 };
 
-void VtkWriter::write(const SurfaceChunk& chunk) {
+void VtkWriter::write(std::uint64_t /*number*/, const SurfaceChunk& chunk) {
   write_points(chunk);
   write_triangles(chunk);
 }

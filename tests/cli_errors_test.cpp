@@ -103,15 +103,15 @@ TEST_F(Refusals, OfBadInputAre65) {
 
 TEST_F(Refusals, OfTooLittleMemoryAre69WithTheLeastThatWouldDo) {
   expect_refused({"cube.ply -o out.pvtp --memory 10M", 69, "--memory 64M or more"});
-  ASSERT_EQ(folder_.run("make-cloud folded -n 300000 -o big.ply").exit_code, 0);
-  const Outcome outcome =
-      folder_.run("stream-recon big.ply -o out.pvtp --memory 64M --chunk-points 300000");
+  // Every facet of the cloud in one chunk.
+  ASSERT_EQ(folder_.run("make-cloud folded -n 100000 -o big.ply").exit_code, 0);
+  const std::string late = "stream-recon big.ply -o out.pvtp --delta-max 180 --memory ";
+  const Outcome outcome = folder_.run(late + "64M");
   EXPECT_EQ(outcome.exit_code, 69);
   EXPECT_THAT(outcome.error, HasSubstr("or more"));
   // Found out late; what was done is not lost.
   EXPECT_THAT(outcome.error, HasSubstr("add --resume"));
-  const Outcome resumed =
-      folder_.run("stream-recon big.ply -o out.pvtp --memory 512M --chunk-points 300000 --resume");
+  const Outcome resumed = folder_.run(late + "512M --resume");
   EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <mutex>
 #include <random>
 #include <set>
 #include <utility>
@@ -24,7 +25,17 @@ using Ranks = std::array<PointRank, 3>;
 
 class RecordingWriter : public SurfaceWriter {
  public:
-  void write(const SurfaceChunk& chunk) override { chunks.push_back(chunk); }
+  explicit RecordingWriter(bool in_order) : in_order_(in_order) {}
+
+  bool takes_chunks_in_order() const override { return in_order_; }
+  void write(std::uint64_t number, const SurfaceChunk& chunk) override {
+    const std::lock_guard lock(mutex_);
+    if (in_order_) {
+      EXPECT_EQ(number, chunks.size());
+    }
+    chunks.resize(std::max<std::size_t>(chunks.size(), number + 1));
+    chunks[number] = chunk;
+  }
   std::uint64_t bytes_written() const override { return 0; }
 
   std::vector<SurfaceChunk> chunks;
@@ -32,6 +43,9 @@ class RecordingWriter : public SurfaceWriter {
  private:
   void complete() override {}
   void publish() override {}
+
+  bool in_order_;
+  std::mutex mutex_;
 };
 
 /// A point whose coordinates tell its rank; its input index is ten times the rank.
@@ -45,8 +59,13 @@ struct Assembled {
   std::vector<SurfaceChunk> chunks;
 };
 
-Assembled assemble(const std::vector<Ranks>& facets, const ChunkLayout& layout,
-                   std::uint64_t seed) {
+struct AssemblyCase {
+  bool in_order = true;
+  std::uint64_t memory = std::uint64_t{1} << 30;  ///< for the assembly
+};
+
+Assembled assemble(const std::vector<Ranks>& facets, const ChunkLayout& layout, std::uint64_t seed,
+                   const AssemblyCase& how = {}) {
   StageFixture stage;
   auto store = create_records<StoredPoint>(stage.scratch, kPointStore, kPointStoreBlock);
   for (PointRank rank = 0; rank < layout.point_count; ++rank) store.append(point_of(rank));
@@ -61,7 +80,9 @@ Assembled assemble(const std::vector<Ranks>& facets, const ChunkLayout& layout,
   export_facets(records, layout, out);
   out.finish();
   const ExportReader exports(stage.scratch, stage.budget);
-  RecordingWriter writer;
+  const Reservation others =
+      stage.budget.reserve(stage.budget.available() - how.memory, "everything else");
+  RecordingWriter writer(how.in_order);
   const SurfaceCounts counts = assemble_surface({exports, layout}, writer, stage.context);
   EXPECT_GT(stage.budget.peak(), 0U);
   return {counts, writer.chunks};
@@ -158,6 +179,41 @@ TEST(Assembly, DoesNotDependOnTheOrderOfTheFacets) {
     EXPECT_EQ(one.chunks[c].global_ids, two.chunks[c].global_ids);
     EXPECT_EQ(one.chunks[c].vertex_numbers, two.chunks[c].vertex_numbers);
   }
+}
+
+TEST(Assembly, ChunksAreTheSameSideBySideAndInLittleMemory) {
+  const std::vector<Ranks> facets = random_facets(9000, 3000, 10);
+  const ChunkLayout layout{100, 3000};
+  const auto expected = assemble(facets, layout, 1);
+  // A chunk takes 6 MB, and handing numbers from chunk to chunk 12.
+  const AssemblyCase side_by_side{.in_order = false};
+  const AssemblyCase one_by_one{.in_order = false, .memory = std::uint64_t{6} << 20};
+  const AssemblyCase in_little{.in_order = true, .memory = std::uint64_t{16} << 20};
+  for (const AssemblyCase& how : {side_by_side, one_by_one, in_little}) {
+    const auto found = assemble(facets, layout, 2, how);
+    EXPECT_EQ(found.counts.vertices, expected.counts.vertices);
+    EXPECT_EQ(found.counts.edges, expected.counts.edges);
+    EXPECT_EQ(found.counts.digest.hex(), expected.counts.digest.hex());
+    ASSERT_EQ(found.chunks.size(), expected.chunks.size());
+    for (std::size_t c = 0; c < found.chunks.size(); ++c) {
+      EXPECT_EQ(found.chunks[c].triangles, expected.chunks[c].triangles);
+      EXPECT_EQ(found.chunks[c].delta, expected.chunks[c].delta);
+      EXPECT_EQ(found.chunks[c].points, expected.chunks[c].points);
+      EXPECT_EQ(found.chunks[c].global_ids, expected.chunks[c].global_ids);
+      if (how.in_order) {
+        EXPECT_EQ(found.chunks[c].vertex_numbers, expected.chunks[c].vertex_numbers);
+      }
+    }
+  }
+}
+
+TEST(Assembly, LeavesNoGapInTheNumbersOfChunks) {
+  const std::vector<Ranks> facets{{0, 1, 2}, {0, 1, 55}, {70, 71, 99}};
+  const auto [counts, chunks] = assemble(facets, {10, 100}, 1, {false});
+  ASSERT_EQ(chunks.size(), 2U);
+  EXPECT_EQ(chunks[0].triangles.size(), 2U);
+  EXPECT_EQ(chunks[1].triangles.size(), 1U);
+  EXPECT_EQ(counts.vertices, 7U);
 }
 
 TEST(Assembly, OfNoFacetsIsNothing) {

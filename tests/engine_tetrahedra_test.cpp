@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/order/point_store.h"
-#include "engine/tetrahedra/chunk_vertices.h"
+#include "engine/surface/chunk_vertices.h"
 #include "engine/tetrahedra/tetrahedra_assembly.h"
 #include "engine/tetrahedra/tetrahedra_collector.h"
 #include "engine/windows/export_writer.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 #include <random>
 #include <span>
 #include <string>
@@ -39,8 +40,8 @@ std::vector<Sample> make_samples(std::size_t count, unsigned seed) {
 }
 
 void write_file(const std::string& path, const std::vector<Sample>& samples,
-                std::size_t block_bytes) {
-  RecordWriter<Sample> writer(File::create(path), block_bytes);
+                std::size_t block_bytes, const BlockBatch& batch = {}) {
+  RecordWriter<Sample> writer(File::create(path), block_bytes, batch);
   // Uneven pieces, so that they straddle the blocks.
   for (std::size_t at = 0, step = 1; at < samples.size(); at += step, step = step * 3 % 101 + 1) {
     writer.append(std::span(samples).subspan(at, std::min(step, samples.size() - at)));
@@ -64,6 +65,22 @@ TEST(BlockFile, GivesBackEveryRecordForAnyCountAndBlockSize) {
       const auto samples = make_samples(count, 1);
       write_file(folder / "a", samples, block_bytes);
       EXPECT_EQ(read_file(folder / "a"), samples);
+    }
+  }
+}
+
+TEST(BlockFile, HasTheSameBytesHoweverManyBlocksAreEncodedTogether) {
+  const auto last_first = [](std::size_t count, const std::function<void(std::size_t)>& body) {
+    while (count > 0) body(--count);
+  };
+  for (const std::size_t count : {0, 1, 31, 32, 33, 128, 1000}) {
+    const TestFolder folder;
+    const auto samples = make_samples(count, 2);
+    write_file(folder / "one", samples, 1024);
+    for (const std::size_t blocks : {0, 2, 4, 100}) {
+      const std::string path = folder / std::to_string(blocks);
+      write_file(path, samples, 1024, {blocks, last_first});
+      EXPECT_EQ(file_bytes(path), file_bytes(folder / "one")) << count << " in " << blocks;
     }
   }
 }

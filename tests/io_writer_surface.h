@@ -55,7 +55,7 @@ inline std::vector<SurfaceChunk> make_surface(std::size_t chunks, std::size_t tr
 inline std::uint64_t write_surface(const std::vector<SurfaceChunk>& surface,
                                    const SurfaceWriterOptions& options) {
   const auto writer = make_surface_writer(options);
-  for (const SurfaceChunk& chunk : surface) writer->write(chunk);
+  for (std::uint64_t i = 0; i < surface.size(); ++i) writer->write(i, surface[i]);
   writer->finish();
   return writer->bytes_written();
 }

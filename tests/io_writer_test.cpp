@@ -82,7 +82,7 @@ TEST_P(Writer, LeavesNothingAndKeepsTheOlderResultWhenDestroyedBeforeFinish) {
   write(folder.path(), old_surface_);
   const auto before = contents(folder.path());
   ScratchDirectory scratch({scratch_.path()});
-  make_surface_writer({folder / GetParam(), Scalar::kFloat64, &scratch})->write(new_surface_[0]);
+  make_surface_writer({folder / GetParam(), Scalar::kFloat64, &scratch})->write(0, new_surface_[0]);
   EXPECT_EQ(contents(folder.path()), before);
   EXPECT_EQ(scratch.used_bytes(), 0U);
 }
@@ -176,7 +176,7 @@ TEST(PvtpWriter, RefusesToReplaceAFileThatStandsWhereTheFolderGoes) {
 TEST(PvtpWriter, ShowsNoIndexBeforeFinish) {
   const TestFolder folder;
   const auto writer = make_surface_writer({folder / "a.pvtp"});
-  writer->write(make_surface(1, 10, Scalar::kFloat64, 1)[0]);
+  writer->write(0, make_surface(1, 10, Scalar::kFloat64, 1)[0]);
   EXPECT_FALSE(path_exists(folder / "a.pvtp"));
   EXPECT_FALSE(path_exists(folder / "a"));
   writer->finish();

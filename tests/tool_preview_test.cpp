@@ -49,7 +49,7 @@ class Preview : public testing::Test {
     const auto writer = make_surface_writer({.path = path});
     const double wedge = 2 * std::numbers::pi / chunks;
     for (int i = 0; i < chunks; ++i)
-      writer->write(sphere_wedge(i * wedge, (i + 1) * wedge, 120 / chunks));
+      writer->write(i, sphere_wedge(i * wedge, (i + 1) * wedge, 120 / chunks));
     writer->finish();
     return path;
   }

@@ -11,6 +11,7 @@
 #include "engine/order/run_merger.h"
 #include "engine/order/sort_record.h"
 #include "engine/parallel.h"
+#include "engine/parallel_records.h"
 #include "io/error.h"
 #include "spatial/hilbert.h"
 
@@ -18,17 +19,30 @@ namespace stream_recon {
 namespace {
 
 constexpr std::size_t kBatch = 1 << 13;
-constexpr std::size_t kKeysPerTask = 1 << 14;
 
-/// Memory beside the run or the merge: the spool's reader, a batch and one writer.
-constexpr std::uint64_t kFixedMemory =
-    kBatch * sizeof(StoredPoint) + 2 * record_file_memory(std::uint64_t{1} << 19);
+/// Memory beside the run or the merge: how much is read and written at a time.
+struct Lanes {
+  std::size_t readers;
+  std::size_t run_blocks;
+  std::size_t store_blocks;
+
+  explicit Lanes(const MemoryBudget& budget)
+      : readers(blocks_at_once(kIngestBlock, budget)),
+        run_blocks(blocks_at_once(kRunBlock, budget)),
+        store_blocks(blocks_at_once(kPointStoreBlock, budget)) {}
+
+  std::uint64_t memory() const {
+    return readers * (record_cursor_memory(kIngestBlock) + kBatch * sizeof(StoredPoint)) +
+           run_blocks * record_file_memory(kRunBlock) +
+           store_blocks * record_file_memory(kPointStoreBlock);
+  }
+};
 
 /// Writes sorted points to the store, each distinct one once.
 class StoreWriter {
  public:
-  explicit StoreWriter(ScratchDirectory& scratch)
-      : writer_(create_records<StoredPoint>(scratch, kPointStore, kPointStoreBlock)) {}
+  StoreWriter(ScratchDirectory& scratch, std::size_t blocks)
+      : writer_(create_records<StoredPoint>(scratch, kPointStore, kPointStoreBlock, blocks)) {}
 
   void append(const StoredPoint& next) {
     if (any_ && next.point == last_) {
@@ -56,12 +70,12 @@ class StoreWriter {
 class HilbertSort {
  public:
   HilbertSort(const CloudSummary& cloud, const StageContext& context)
-      : cloud_(cloud), context_(context), curve_(cloud.box) {}
+      : cloud_(cloud), context_(context), curve_(cloud.box), lanes_(context.budget) {}
 
   OrderResult sort() {
-    const Reservation fixed = context_.budget.reserve(kFixedMemory, "ordering the points");
+    const Reservation fixed = context_.budget.reserve(lanes_.memory(), "ordering the points");
     context_.progress.begin_stage("order", cloud_.finite_points(), "points");
-    StoreWriter store(context_.scratch);
+    StoreWriter store(context_.scratch, lanes_.store_blocks);
     make_runs(store);
     merge_runs(store);
     context_.progress.end_stage();
@@ -78,10 +92,13 @@ class HilbertSort {
         context_.budget.reserve(length * sizeof(SortRecord), "a run of the Hilbert sort");
     std::vector<SortRecord> run;
     run.reserve(length);
-    ScratchReader<StoredPoint> spool(context_.scratch, kIngestSpool);
+    const RecordFile<StoredPoint> spool(context_.scratch.open(kIngestSpool));
     for (std::uint64_t done = 0; done < count; done += run.size()) {
-      fill(spool, run, std::min(length, count - done));
-      sort_run(run);
+      run.resize(std::min(length, count - done));
+      fill(spool, done, run);
+      context_.stop.check();
+      parallel_sort(run.begin(), run.end(), std::less<>());
+      context_.stop.check();
       if (length == count) {
         for (const SortRecord& record : run) store.append(record.stored);
       } else {
@@ -91,29 +108,34 @@ class HilbertSort {
     }
   }
 
-  void fill(ScratchReader<StoredPoint>& spool, std::vector<SortRecord>& run, std::uint64_t length) {
-    run.clear();
+  /// The records from `first` on, with their keys; each reader takes a part of the run.
+  void fill(const RecordFile<StoredPoint>& spool, std::uint64_t first,
+            std::span<SortRecord> run) const {
+    const std::size_t share = run.size() / lanes_.readers + 1;
+    parallel_for_ranges(lanes_.readers, 1, [&](std::size_t begin, std::size_t end) {
+      const std::size_t from = std::min(begin * share, run.size());
+      const std::size_t to = std::min(end * share, run.size());
+      fill_part(spool, first + from, run.subspan(from, to - from));
+    });
+  }
+
+  void fill_part(const RecordFile<StoredPoint>& spool, std::uint64_t first,
+                 std::span<SortRecord> part) const {
+    RecordCursor<StoredPoint> cursor(spool);
+    cursor.seek(first);
     std::vector<StoredPoint> batch(kBatch);
-    while (run.size() < length) {
+    while (!part.empty()) {
       context_.stop.check();
-      const std::size_t want = std::min<std::uint64_t>(batch.size(), length - run.size());
-      const std::size_t got = spool.read({batch.data(), want});
+      const std::size_t got = cursor.read(std::span(batch).first(std::min(kBatch, part.size())));
       if (got == 0) throw IoError("the ingest spool ended early; run again");
-      for (std::size_t i = 0; i < got; ++i) run.push_back({0, batch[i]});
+      for (std::size_t i = 0; i < got; ++i) part[i] = {curve_.key(batch[i].point), batch[i]};
+      part = part.subspan(got);
     }
   }
 
-  void sort_run(std::vector<SortRecord>& run) const {
-    parallel_for_ranges(run.size(), kKeysPerTask, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) run[i].key = curve_.key(run[i].stored.point);
-    });
-    context_.stop.check();
-    parallel_sort(run.begin(), run.end(), std::less<>());
-    context_.stop.check();
-  }
-
   void write_run(std::span<const SortRecord> run) {
-    auto writer = create_records<SortRecord>(context_.scratch, next_name(), kRunBlock);
+    auto writer =
+        create_records<SortRecord>(context_.scratch, next_name(), kRunBlock, lanes_.run_blocks);
     writer.append(run);
     writer.finish();
   }
@@ -141,7 +163,8 @@ class HilbertSort {
     const auto cut = runs_.begin() + static_cast<std::ptrdiff_t>(fan_in);
     const std::vector<std::string> group(runs_.begin(), cut);
     runs_.erase(runs_.begin(), cut);
-    auto writer = create_records<SortRecord>(context_.scratch, next_name(), kRunBlock);
+    auto writer =
+        create_records<SortRecord>(context_.scratch, next_name(), kRunBlock, lanes_.run_blocks);
     merge(group, [&writer](const SortRecord& record) { writer.append(record); });
     writer.finish();
   }
@@ -164,6 +187,7 @@ class HilbertSort {
   const CloudSummary& cloud_;
   const StageContext& context_;
   HilbertCurve curve_;
+  const Lanes lanes_;
   std::vector<std::string> runs_;
   std::uint64_t names_ = 0;
 };

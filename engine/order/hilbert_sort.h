@@ -3,8 +3,8 @@
 // Guarantees: the point store (point_store.h) holds each distinct point once, under its lowest
 // input index, ordered by (Hilbert key, x, y, z); its bytes do not depend on memory or threads.
 // A cloud that fits the budget is sorted in one run that never touches the disk; else runs are
-// merged, in several passes where they are too many. Thread rule: one caller; sorts on all threads.
-// Memory: 40 bytes a point of a run, as much as `budget` has.
+// merged, in several passes where they are too many. Thread rule: one caller; works on all
+// threads. Memory: 40 bytes a point of a run, as much as `budget` has.
 #pragma once
 
 #include <cstdint>

@@ -5,16 +5,14 @@
 #include <span>
 
 #include "engine/order/stored_point.h"
-#include "engine/scratch_records.h"
+#include "engine/parallel_records.h"
 
 namespace stream_recon {
 namespace {
 
 constexpr std::size_t kBatch = 1 << 14;
-constexpr std::size_t kBlockBytes = std::size_t{1} << 19;
-// A batch of points twice, the writer, and a reader's buffer.
-constexpr std::uint64_t kMemory =
-    kBatch * (sizeof(Point3) + sizeof(StoredPoint)) + record_file_memory(kBlockBytes) + (2 << 20);
+// A batch of points twice, and a reader's buffer.
+constexpr std::uint64_t kMemory = kBatch * (sizeof(Point3) + sizeof(StoredPoint)) + (2 << 20);
 
 bool is_float32(double x) {
   return static_cast<double>(static_cast<float>(x)) == x;
@@ -40,8 +38,10 @@ void take_batch(std::span<const Point3> batch, CloudSummary& summary,
 }  // namespace
 
 CloudSummary ingest(const IngestOptions& options, const StageContext& context) {
-  const Reservation memory = context.budget.reserve(kMemory, "reading the input");
-  auto spool = create_records<StoredPoint>(context.scratch, kIngestSpool, kBlockBytes);
+  const std::size_t blocks = blocks_at_once(kIngestBlock, context.budget);
+  const Reservation memory = context.budget.reserve(
+      kMemory + blocks * record_file_memory(kIngestBlock), "reading the input");
+  auto spool = create_records<StoredPoint>(context.scratch, kIngestSpool, kIngestBlock, blocks);
   std::vector<Point3> batch(kBatch);
   std::vector<StoredPoint> kept;
   kept.reserve(kBatch);

@@ -1,10 +1,11 @@
 // The one pass over the input: everything the run must know before it can order the points.
 //
 // Guarantees: the spool has every finite point of all inputs in input order; the index counts on
-// from input to input and counts rejected points too. Thread rule: one thread.
-// Memory: about 5 MB whatever the input's size.
+// from input to input and counts rejected points too. Thread rule: one caller; compresses on
+// all threads. Memory: about 4 MB and 3 MB a thread, whatever the input's size.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct CloudSummary {
 
 /// Name of the spool (records of StoredPoint) in the scratch directory.
 inline constexpr const char* kIngestSpool = "ingest";
+inline constexpr std::size_t kIngestBlock = std::size_t{1} << 19;
 
 /// \throw InputError, IoError, BudgetError, Interrupted
 CloudSummary ingest(const IngestOptions& options, const StageContext& context);

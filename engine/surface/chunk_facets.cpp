@@ -1,36 +1,53 @@
 #include "engine/surface/chunk_facets.h"
 
 #include <algorithm>
-#include <functional>
-#include <utility>
 
-#include "engine/parallel.h"
+#include "engine/surface/buckets.h"
 
 namespace stream_recon {
+namespace {
 
-std::vector<PointRank> vertex_ranks(std::span<const FacetRecord> facets) {
-  std::vector<PointRank> ranks;
-  ranks.reserve(3 * facets.size());
-  for (const FacetRecord& facet : facets) {
-    ranks.insert(ranks.end(), facet.ranks.begin(), facet.ranks.end());
+/// Places of the facets in ascending order. A facet's lowest vertex lies in the chunk, and few
+/// facets share it.
+std::vector<std::uint32_t> ascending_order(std::span<const FacetRecord> facets,
+                                           const ChunkVertices& points) {
+  Buckets by_lowest(points.size());
+  for (const FacetRecord& facet : facets) by_lowest.count(points.position(facet.ranks[0]));
+  by_lowest.start();
+  std::vector<std::uint32_t> order(facets.size());
+  for (std::uint32_t i = 0; i < facets.size(); ++i) {
+    order[by_lowest.slot(points.position(facets[i].ranks[0]))] = i;
   }
-  parallel_sort(ranks.begin(), ranks.end(), std::less<>());
-  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-  ranks.shrink_to_fit();
-  return ranks;
+  by_lowest.for_each([&](std::uint32_t begin, std::uint32_t end) {
+    std::sort(order.begin() + begin, order.begin() + end,
+              [facets](std::uint32_t a, std::uint32_t b) { return facets[a] < facets[b]; });
+  });
+  return order;
 }
 
-ChunkFacets::ChunkFacets(std::vector<FacetRecord> records) : facets(std::move(records)) {
-  parallel_sort(facets.begin(), facets.end(), std::less<>());
-  vertices = vertex_ranks(facets);
-  triangles.reserve(facets.size());
-  const auto position = [this](PointRank rank) {
-    const auto at = std::lower_bound(vertices.begin(), vertices.end(), rank);
-    return static_cast<std::uint32_t>(at - vertices.begin());
-  };
+}  // namespace
+
+void add_vertices(std::span<const FacetRecord> facets, ChunkVertices& points) {
   for (const FacetRecord& facet : facets) {
-    triangles.push_back(
-        {position(facet.ranks[0]), position(facet.ranks[1]), position(facet.ranks[2])});
+    for (const PointRank rank : facet.ranks) points.add(rank);
+  }
+  points.number();
+}
+
+ChunkFacets::ChunkFacets(std::span<const FacetRecord> records, ChunkVertices& points) {
+  add_vertices(records, points);
+  vertices = points.ranks();
+  triangles.reserve(records.size());
+  delta.reserve(records.size());
+  source.reserve(records.size());
+  facing.reserve(records.size());
+  for (const std::uint32_t i : ascending_order(records, points)) {
+    const FacetRecord& facet = records[i];
+    triangles.push_back({points.position(facet.ranks[0]), points.position(facet.ranks[1]),
+                         points.position(facet.ranks[2])});
+    delta.push_back(facet.delta);
+    source.push_back(facet.source);
+    facing.push_back(facet.facing);
   }
 }
 

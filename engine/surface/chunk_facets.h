@@ -2,28 +2,34 @@
 //
 // Guarantees: facets ascend by rank triple; vertices are their distinct ranks, ascending; the local
 // triangles are the facets with ranks replaced by positions in the vertices, so they ascend too.
-// Thread rule: a value. Memory: 44 bytes a facet, 8 a vertex; 24 more a facet while it is made.
+// Thread rule: a value. Memory: 18 bytes a facet, 8 a vertex; 36 more a facet while it is made.
+// Cost: linear in the facets: about 50 ns each.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "engine/surface/chunk_vertices.h"
 #include "engine/surface/edge_uses.h"
 #include "engine/surface/facet_record.h"
 
 namespace stream_recon {
 
-/// Distinct ranks of the facets' vertices, ascending. Memory: 24 bytes a facet while it works.
-std::vector<PointRank> vertex_ranks(std::span<const FacetRecord> facets);
-
 struct ChunkFacets {
   /// \param records of one chunk, any order
-  explicit ChunkFacets(std::vector<FacetRecord> records);
+  /// \param points of that chunk, none yet; those of the facets then \throw BudgetError
+  ChunkFacets(std::span<const FacetRecord> records, ChunkVertices& points);
 
-  std::vector<FacetRecord> facets;
   std::vector<PointRank> vertices;
+  // One of each a facet:
   std::vector<LocalTriangle> triangles;
+  std::vector<float> delta;
+  std::vector<TriangleSource> source;
+  std::vector<Facing> facing;
 };
+
+/// Adds the facets' vertices and numbers them. \throw BudgetError
+void add_vertices(std::span<const FacetRecord> facets, ChunkVertices& points);
 
 }  // namespace stream_recon

@@ -2,12 +2,13 @@
 //
 // Guarantees: records(c) has every record appended to chunk c, in the order of appending; a damaged
 // file is noticed. Each chunk fills blocks of its own, the last one padded.
-// Thread rule: one thread. Memory: spool_memory(), taken from the budget when it is made.
+// Thread rule: one thread until finish(); then const calls may run side by side.
+// Memory, from the budget: spool_memory() until finish(); then 16 bytes a block, and for a call
+// that reads spool_reading_memory().
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +46,12 @@ constexpr std::uint64_t spool_memory(std::uint64_t chunks) {
   return chunks * (block + 64) + record_file_memory(block);
 }
 
+/// What a call that reads holds beside its result, bytes.
+constexpr std::uint64_t spool_reading_memory(std::uint64_t chunks) {
+  const std::uint64_t block = detail::spool_block_bytes(chunks);
+  return record_cursor_memory(block) + block;
+}
+
 template <class Record>
 class ChunkSpool {
  public:
@@ -52,6 +59,7 @@ class ChunkSpool {
   ChunkSpool(std::string name, std::uint64_t chunk_count, const SpoolOptions& options)
       : name_(std::move(name)),
         scratch_(options.scratch),
+        budget_(options.budget),
         memory_(options.budget->reserve(spool_memory(chunk_count), "the chunks of " + name_)),
         records_per_block_(detail::spool_block_bytes(chunk_count) / sizeof(Record)),
         chunks_(chunk_count),
@@ -68,7 +76,7 @@ class ChunkSpool {
     if (target.pending.size() == records_per_block_) flush(target);
   }
 
-  /// No more records; the memory is given back but for a reader's. \throw IoError
+  /// No more records; memory is given back. \throw IoError
   void finish() {
     for (Chunk& chunk : chunks_) {
       if (chunk.pending.empty()) continue;
@@ -78,28 +86,34 @@ class ChunkSpool {
     }
     writer_->finish();
     writer_.reset();
-    const std::uint64_t block_bytes = records_per_block_ * sizeof(Record);
-    memory_.resize(record_file_memory(block_bytes) + chunks_.size() * sizeof(Chunk) + 8 * blocks_);
-    reader_ = std::make_unique<ScratchReader<Record>>(*scratch_, name_);
+    // The blocks of each chunk here, and where they lie in the file.
+    memory_.resize(chunks_.size() * sizeof(Chunk) + 16 * blocks_);
+    file_.emplace(scratch_->open(name_));
   }
 
   std::uint64_t count(std::uint64_t chunk) const { return chunks_[chunk].count; }
 
-  /// Calls visit(span) for the records of a chunk, a block at a time. \pre finish() \throw IoError
+  /// Calls visit(span) for the records of a chunk, a block at a time. \pre finish()
+  /// \throw IoError, BudgetError
   template <class Visit>
   void visit(std::uint64_t chunk, const Visit& visit) const {
     const Chunk& source = chunks_[chunk];
+    if (source.count == 0) return;
+    const Reservation memory =
+        budget_->reserve(spool_reading_memory(chunks_.size()), "reading the chunks of " + name_);
+    RecordCursor<Record> cursor(*file_);
     std::vector<Record> records(records_per_block_);
     std::uint64_t rest = source.count;
     for (const std::uint64_t block : source.blocks) {
       const auto part = std::span(records).first(std::min<std::uint64_t>(records.size(), rest));
-      reader_->read_at(block * records_per_block_, part);
+      cursor.seek(block * records_per_block_);
+      cursor.read(part);
       visit(std::span<const Record>(part));
       rest -= part.size();
     }
   }
 
-  /// The caller reserves count() records. \pre finish() \throw IoError
+  /// The caller reserves count() records. \pre finish() \throw IoError, BudgetError
   std::vector<Record> records(std::uint64_t chunk) const {
     std::vector<Record> records;
     records.reserve(count(chunk));
@@ -124,12 +138,13 @@ class ChunkSpool {
 
   std::string name_;
   ScratchDirectory* scratch_;
+  MemoryBudget* budget_;
   Reservation memory_;
   std::size_t records_per_block_;
   std::vector<Chunk> chunks_;
   std::uint64_t blocks_ = 0;
   std::optional<RecordWriter<Record>> writer_;
-  std::unique_ptr<ScratchReader<Record>> reader_;
+  std::optional<RecordFile<Record>> file_;
 };
 
 }  // namespace stream_recon

@@ -3,9 +3,15 @@
 #include <algorithm>
 
 #include "engine/surface/chunk_facets.h"
+#include "engine/surface/chunk_loop.h"
 
 namespace stream_recon {
 namespace {
+
+/// A facet's record and its share of the vertices, of the chunk's and of those of later chunks.
+constexpr std::uint64_t kBytesAFacet = 40;
+/// A spool's cursor.
+constexpr std::uint64_t kFixedBytes = std::uint64_t{1} << 20;
 
 template <class Record>
 std::vector<Record> sorted_distinct(std::vector<Record> records) {
@@ -18,6 +24,8 @@ std::vector<Record> sorted_distinct(std::vector<Record> records) {
 
 VertexNumbering::VertexNumbering(const ExportedFacets& surface, const StageContext& context)
     : context_(context),
+      memory_(context.budget.reserve(surface.layout().chunk_count() * sizeof first_numbers_[0],
+                                     "numbers of vertices")),
       known_("vertex_numbers", surface.layout().chunk_count(),
              {&context.scratch, &context.budget}) {
   ChunkSpool<Share> shares("shared_vertices", surface.layout().chunk_count(),
@@ -50,41 +58,68 @@ void VertexNumbering::find_shares(const ExportedFacets& surface, ChunkSpool<Shar
 }
 
 void VertexNumbering::hand_out(const ExportedFacets& surface, const ChunkSpool<Share>& shares) {
-  for (std::uint64_t chunk = 0; chunk < surface.layout().chunk_count(); ++chunk) {
-    context_.stop.check();
-    const std::uint64_t facets = surface.facets().count(chunk);
-    if (facets == 0) continue;
-    const Reservation memory = context_.budget.reserve(
-        facets * (sizeof(FacetRecord) + 3 * sizeof(PointRank)) +
-            shares.count(chunk) * sizeof(Share),
-        "numbering the vertices of a chunk (a smaller --chunk-points needs less)");
-    const auto chunk_shares = sorted_distinct(shares.records(chunk));
-    auto share = chunk_shares.begin();
-    for (const PointRank rank : vertex_ranks(surface.facets().records(chunk))) {
-      share = std::find_if(share, chunk_shares.end(),
-                           [rank](const Share& s) { return s.rank >= rank; });
-      const auto end =
-          std::find_if(share, chunk_shares.end(), [rank](const Share& s) { return s.rank > rank; });
-      const bool told = share != end && share->chunk == chunk;
-      if (told) continue;
-      const std::uint64_t number = vertex_count_++;
-      for (; share != end; ++share) known_.append(share->chunk, {rank, number});
-    }
+  const std::uint64_t chunks = surface.layout().chunk_count();
+  std::uint64_t most = 0;
+  for (std::uint64_t chunk = 0; chunk < chunks; ++chunk) {
+    most = std::max(most, surface.facets().count(chunk));
+  }
+  first_numbers_.reserve(chunks);
+  for_each_chunk(
+      {.chunks = chunks,
+       .at_once = chunks_at_once(most * kBytesAFacet + kFixedBytes, context_.budget),
+       .takes_in_order = true},
+      [&](std::uint64_t chunk) { return find_needs(chunk, surface, shares); },
+      [this](std::uint64_t chunk, const ChunkNeeds& needs) { hand_out(chunk, needs); });
+}
+
+VertexNumbering::ChunkNeeds VertexNumbering::find_needs(std::uint64_t chunk,
+                                                        const ExportedFacets& surface,
+                                                        const ChunkSpool<Share>& shares) const {
+  context_.stop.check();
+  const std::uint64_t facet_bytes = surface.facets().count(chunk) * sizeof(FacetRecord);
+  ChunkNeeds needs;
+  needs.memory = context_.budget.reserve(
+      facet_bytes, "numbering the vertices of a chunk (a smaller --chunk-points needs less)");
+  {
+    const ChunkLayout& layout = surface.layout();
+    ChunkVertices points(layout.first_rank(chunk), layout.end_rank(chunk), context_.budget);
+    add_vertices(surface.facets().records(chunk), points);
+    needs.memory.resize(points.size() * sizeof(PointRank));
+    needs.vertices = points.ranks();
+  }
+  needs.memory.resize(needs.memory.bytes() + shares.count(chunk) * sizeof(Share));
+  needs.shares = sorted_distinct(shares.records(chunk));
+  return needs;
+}
+
+void VertexNumbering::hand_out(std::uint64_t chunk, const ChunkNeeds& needs) {
+  first_numbers_.push_back(vertex_count_);
+  auto share = needs.shares.begin();
+  for (const PointRank rank : needs.vertices) {
+    share =
+        std::find_if(share, needs.shares.end(), [rank](const Share& s) { return s.rank >= rank; });
+    const auto end =
+        std::find_if(share, needs.shares.end(), [rank](const Share& s) { return s.rank > rank; });
+    const bool told = share != end && share->chunk == chunk;
+    if (told) continue;
+    const std::uint64_t number = vertex_count_++;
+    for (; share != end; ++share) known_.append(share->chunk, {rank, number});
   }
 }
 
 std::vector<std::uint64_t> VertexNumbering::numbers_of(std::uint64_t chunk,
-                                                       std::span<const PointRank> vertices) {
+                                                       std::span<const PointRank> vertices) const {
   const Reservation memory = context_.budget.reserve(known_.count(chunk) * sizeof(Known),
                                                      "vertices known from earlier chunks");
   const auto known = sorted_distinct(known_.records(chunk));
   auto next_known = known.begin();
+  std::uint64_t next_number = first_numbers_[chunk];
   std::vector<std::uint64_t> numbers;
   numbers.reserve(vertices.size());
   for (const PointRank rank : vertices) {
     while (next_known != known.end() && next_known->rank < rank) ++next_known;
     const bool is_known = next_known != known.end() && next_known->rank == rank;
-    numbers.push_back(is_known ? next_known->number : next_number_++);
+    numbers.push_back(is_known ? next_known->number : next_number++);
   }
   return numbers;
 }

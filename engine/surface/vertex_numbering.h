@@ -1,9 +1,10 @@
 // The position of each vertex in the vertex list of the whole surface: the order of first
 // appearance, chunk by chunk and by rank within a chunk.
 //
-// Guarantees: numbers are 0 .. vertex_count() - 1, each vertex has one, whichever chunks it appears
+// Guarantees: numbers are 0, 1, ..., each vertex has one, whichever chunks it appears
 // in; they depend on the facets and the chunk layout only.
-// Thread rule: one thread. Memory: two spools, and one chunk's facets while it is made.
+// Thread rule: made by one thread, on all threads; then const and thread-safe.
+// Memory: two spools, 8 bytes a chunk, and while it is made 40 bytes a facet of a chunk a thread.
 // A point of one chunk may first appear in an earlier one, so numbers travel between chunks, on
 // disk: what a chunk's neighbours must be told is found first, then the numbers are handed out.
 #pragma once
@@ -24,10 +25,9 @@ class VertexNumbering {
   /// \throw IoError, BudgetError, Interrupted
   VertexNumbering(const ExportedFacets& surface, const StageContext& context);
 
-  /// Numbers of the vertices of a chunk. \pre Chunks are asked for in ascending order, all of them.
-  std::vector<std::uint64_t> numbers_of(std::uint64_t chunk, std::span<const PointRank> vertices);
-
-  std::uint64_t vertex_count() const { return vertex_count_; }
+  /// \param vertices all that the chunk's facets have, ascending \throw IoError, BudgetError
+  std::vector<std::uint64_t> numbers_of(std::uint64_t chunk,
+                                        std::span<const PointRank> vertices) const;
 
  private:
   /// `chunk` uses a point that first appears where this is kept, or is told here by another.
@@ -50,13 +50,24 @@ class VertexNumbering {
     }
   };
 
+  /// What numbers a chunk has to hand out.
+  struct ChunkNeeds {
+    Reservation memory;
+    std::vector<PointRank> vertices;
+    std::vector<Share> shares;
+  };
+
   void find_shares(const ExportedFacets& surface, ChunkSpool<Share>& shares);
   void hand_out(const ExportedFacets& surface, const ChunkSpool<Share>& shares);
+  ChunkNeeds find_needs(std::uint64_t chunk, const ExportedFacets& surface,
+                        const ChunkSpool<Share>& shares) const;
+  void hand_out(std::uint64_t chunk, const ChunkNeeds& needs);
 
   const StageContext& context_;
+  Reservation memory_;
   ChunkSpool<Known> known_;
   std::uint64_t vertex_count_ = 0;
-  std::uint64_t next_number_ = 0;
+  std::vector<std::uint64_t> first_numbers_;  ///< that each chunk hands out
 };
 
 }  // namespace stream_recon

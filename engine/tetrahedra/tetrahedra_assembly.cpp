@@ -4,19 +4,25 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/order/point_store.h"
-#include "engine/parallel.h"
-#include "engine/tetrahedra/chunk_vertices.h"
+#include "engine/surface/buckets.h"
+#include "engine/surface/chunk_loop.h"
+#include "engine/surface/chunk_numbers.h"
+#include "engine/surface/chunk_vertices.h"
 
 namespace stream_recon {
 namespace {
 
 using LocalTetrahedron = std::array<std::uint32_t, 4>;
 
-/// A block of an array, its compressed form, the compressor's tables; a point store's reader.
-constexpr std::uint64_t kFixedBytes =
-    (std::uint64_t{3} << 20) + record_file_memory(kPointStoreBlock);
+/// A block of an array, its compressed form, the compressor's tables; a point store's cursor.
+constexpr std::uint64_t kFixedBytes = std::uint64_t{3} << 20;
+/// A vertex as it is written, and its rank.
+constexpr std::uint64_t kPointBytes = sizeof(Point3) + sizeof(std::uint64_t) + sizeof(PointRank);
+/// What a tetrahedron may be expected to need: its vertices are shared by about seven.
+constexpr std::uint64_t kTypicalBytes = sizeof(LocalTetrahedron) + (kPointBytes + 16) / 6;
 
 /// By sorted corners; only the last two may be out of order. A type, for the sort to inline it.
 struct BySortedCorners {
@@ -27,6 +33,11 @@ struct BySortedCorners {
   }
 };
 
+struct ChunkTetrahedra {
+  Reservation memory;
+  TetrahedraChunk chunk;
+};
+
 class TetrahedraAssembly {
  public:
   TetrahedraAssembly(const ExportedTetrahedra& tetrahedra, TetrahedraWriter& writer,
@@ -34,66 +45,66 @@ class TetrahedraAssembly {
       : tetrahedra_(tetrahedra),
         writer_(writer),
         context_(context),
-        fixed_memory_(context.budget.reserve(kFixedBytes, "writing tetrahedra")),
-        store_(context.scratch, kPointStore) {}
+        numbers_(tetrahedra.records, tetrahedra.layout.chunk_count(), context.budget),
+        store_(context.scratch.open(kPointStore)) {}
 
   void run() {
     const ChunkLayout& layout = tetrahedra_.layout;
     context_.progress.begin_stage("tetrahedra", layout.point_count, "points");
-    for (std::uint64_t chunk = 0; chunk < layout.chunk_count(); ++chunk) {
-      context_.stop.check();
-      if (tetrahedra_.records.count(chunk) != 0) assemble(chunk);
-      context_.progress.advance(layout.end_rank(chunk) - layout.first_rank(chunk));
-    }
+    const std::uint64_t bytes = numbers_.most_records() * kTypicalBytes + kFixedBytes + (1 << 20);
+    for_each_chunk(
+        {.chunks = layout.chunk_count(), .at_once = chunks_at_once(bytes, context_.budget)},
+        [this](std::uint64_t chunk) { return make(chunk); },
+        [this](std::uint64_t chunk, const ChunkTetrahedra& made) { take(chunk, made); });
     context_.progress.end_stage();
   }
 
  private:
-  void assemble(std::uint64_t chunk) {
-    Reservation memory = context_.budget.reserve(
-        tetrahedra_.records.count(chunk) * sizeof(LocalTetrahedron), kHolder);
-    writer_.write(make_chunk(chunk, memory));
+  void take(std::uint64_t chunk, const ChunkTetrahedra& made) {
+    const ChunkLayout& layout = tetrahedra_.layout;
+    if (!made.chunk.tetrahedra.empty()) writer_.write(numbers_.number(chunk), made.chunk);
+    context_.progress.advance(layout.end_rank(chunk) - layout.first_rank(chunk));
   }
 
-  /// What it needed besides the result is gone on return. \param memory has the tetrahedra
-  TetrahedraChunk make_chunk(std::uint64_t chunk, Reservation& memory) {
+  ChunkTetrahedra make(std::uint64_t chunk) const {
+    context_.stop.check();
+    ChunkTetrahedra result;
+    const std::uint64_t count = tetrahedra_.records.count(chunk);
+    if (count == 0) return result;
     const ChunkLayout& layout = tetrahedra_.layout;
-    ChunkVertices vertices(layout.first_rank(chunk), layout.end_rank(chunk), context_.budget);
-    tetrahedra_.records.visit(chunk, [&](std::span<const TetrahedronRecord> records) {
-      for (const TetrahedronRecord& record : records) {
-        for (const PointRank rank : record.ranks) vertices.add(rank);
-      }
+    const PointRank first = layout.first_rank(chunk);
+    const std::uint64_t points = layout.end_rank(chunk) - first;
+    result.memory = context_.budget.reserve(
+        kFixedBytes + count * sizeof(LocalTetrahedron) + points * sizeof(std::uint32_t), kHolder);
+    ChunkVertices vertices(first, first + points, context_.budget);
+    // A tetrahedron's lowest vertex lies in the chunk, and few share it.
+    Buckets by_lowest(points);
+    visit(chunk, [&](const TetrahedronRecord& record) {
+      for (const PointRank rank : record.ranks) vertices.add(rank);
+      by_lowest.count(record.ranks[0] - first);
     });
     vertices.number();
-    memory.resize(memory.bytes() + vertices.size() * (sizeof(Point3) + sizeof(std::uint64_t)));
-    TetrahedraChunk result;
-    gather_points(vertices, result);
-    gather_tetrahedra(chunk, vertices, result);
+    by_lowest.start();
+    result.memory.resize(result.memory.bytes() + vertices.size() * kPointBytes);
+    auto& cells = result.chunk.tetrahedra;
+    cells.resize(count);
+    visit(chunk, [&](const TetrahedronRecord& record) {
+      LocalTetrahedron& cell = cells[by_lowest.slot(record.ranks[0] - first)];
+      for (int i = 0; i < 4; ++i) cell[i] = vertices.position(record.ranks[i]);
+    });
+    // Positions ascend as ranks do.
+    by_lowest.for_each([&cells](std::uint32_t begin, std::uint32_t end) {
+      std::sort(cells.begin() + begin, cells.begin() + end, BySortedCorners());
+    });
+    read_points(store_, vertices.ranks(), result.chunk.points, result.chunk.global_ids);
     return result;
   }
 
-  void gather_points(const ChunkVertices& vertices, TetrahedraChunk& result) {
-    result.points.reserve(vertices.size());
-    result.global_ids.reserve(vertices.size());
-    vertices.for_each([&](PointRank rank) {
-      StoredPoint stored;
-      store_.read_at(rank, {&stored, 1});
-      result.points.push_back(stored.point);
-      result.global_ids.push_back(stored.input_index);
+  template <class Visit>
+  void visit(std::uint64_t chunk, const Visit& visit) const {
+    tetrahedra_.records.visit(chunk, [&visit](std::span<const TetrahedronRecord> records) {
+      for (const TetrahedronRecord& record : records) visit(record);
     });
-  }
-
-  void gather_tetrahedra(std::uint64_t chunk, const ChunkVertices& vertices,
-                         TetrahedraChunk& result) {
-    result.tetrahedra.reserve(tetrahedra_.records.count(chunk));
-    tetrahedra_.records.visit(chunk, [&](std::span<const TetrahedronRecord> records) {
-      for (const TetrahedronRecord& record : records) {
-        auto& tetrahedron = result.tetrahedra.emplace_back();
-        for (int i = 0; i < 4; ++i) tetrahedron[i] = vertices.position(record.ranks[i]);
-      }
-    });
-    // Positions ascend as ranks do.
-    parallel_sort(result.tetrahedra.begin(), result.tetrahedra.end(), BySortedCorners());
   }
 
   static constexpr const char* kHolder =
@@ -102,8 +113,8 @@ class TetrahedraAssembly {
   const ExportedTetrahedra& tetrahedra_;
   TetrahedraWriter& writer_;
   const StageContext& context_;
-  Reservation fixed_memory_;
-  PointStoreReader store_;
+  ChunkNumbers numbers_;
+  PointStoreFile store_;
 };
 
 }  // namespace

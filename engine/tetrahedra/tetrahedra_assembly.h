@@ -1,10 +1,10 @@
-// From tetrahedra in chunks to their output: one ascending pass over the chunks.
+// From tetrahedra in chunks to their output: one pass over the chunks, several at once.
 //
 // Guarantees: the chunks handed to the writer are functions of the tetrahedra and the chunk layout,
-// not of the order in which the tetrahedra came: tetrahedra ascend by their sorted ranks, points by
-// rank. Chunks without tetrahedra are not written.
-// Thread rule: one caller; sorts on all threads. Memory: one chunk, 16 bytes a tetrahedron and 32
-// to 48 a point.
+// not of the order in which the tetrahedra came, the memory or the threads: tetrahedra ascend by
+// their sorted ranks, points by rank. Chunks without tetrahedra are not written.
+// Thread rule: one caller; works on all threads that the memory allows. Memory: a chunk a thread:
+// 16 bytes a tetrahedron, 40 to 56 a point and 4 MB each.
 #pragma once
 
 #include "engine/stage_context.h"

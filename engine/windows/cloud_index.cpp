@@ -9,6 +9,7 @@
 
 #include "engine/order/point_store.h"
 #include "engine/parallel.h"
+#include "engine/parallel_records.h"
 #include "io/error.h"
 #include "spatial/predicates.h"
 
@@ -131,36 +132,42 @@ class IndexBuilder {
       (kPagePoints * (sizeof(StoredPoint) + sizeof(Point3)) + kPageNodes * sizeof(NodeBounds));
 
   void write_pages() {
-    const Reservation memory = context_.budget.reserve(
-        kBatchMemory + record_file_memory(kPointStoreBlock) + record_file_memory(kPageBytes),
-        "the pages of the index");
+    const std::size_t readers = std::min<std::size_t>(threads_in_use(), kPagesAtOnce);
+    const std::size_t blocks = blocks_at_once(kPageBytes, context_.budget);
+    const Reservation memory =
+        context_.budget.reserve(kBatchMemory + readers * record_cursor_memory(kPointStoreBlock) +
+                                    blocks * record_file_memory(kPageBytes),
+                                "the pages of the index");
     context_.progress.begin_stage("index", index_.point_count, "points");
-    PointStoreReader store(context_.scratch, kPointStore);
-    auto writer = create_records<NodeBounds>(context_.scratch, kIndexPages, kPageBytes);
+    const PointStoreFile store(context_.scratch.open(kPointStore));
+    auto writer = create_records<NodeBounds>(context_.scratch, kIndexPages, kPageBytes, blocks);
     Batch batch;
-    PointRank rank = 0;
-    while ((batch.count = store.read(batch.points)) > 0) {
+    for (PointRank rank = 0; rank < index_.point_count; rank += batch.count) {
       context_.stop.check();
+      batch.count = std::min<std::uint64_t>(batch.points.size(), index_.point_count - rank);
+      parallel_for_ranges(batch.pages(), 1, [&](std::size_t begin, std::size_t end) {
+        RecordCursor<StoredPoint> cursor(store);
+        cursor.seek(rank + begin * kPagePoints);
+        for (std::size_t page = begin; page < end; ++page) bound(cursor, batch, page);
+      });
       for (std::size_t i = 0; i < batch.count && finder_.dimension() < 3; ++i) {
         finder_.offer(batch.points[i].point, rank + i);
       }
-      parallel_for_ranges(batch.pages(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t page = begin; page < end; ++page) bound(batch, page);
-      });
       for (std::size_t page = 0; page < batch.pages(); ++page) {
         index_.top[0].push_back(batch.nodes[page * kPageNodes]);
       }
       writer.append({batch.nodes.data(), batch.pages() * kPageNodes});
-      rank += batch.count;
       context_.progress.advance(batch.count);
     }
     writer.finish();
     context_.progress.end_stage();
   }
 
-  void bound(Batch& batch, std::size_t page) const {
+  /// Reads and bounds one page.
+  void bound(RecordCursor<StoredPoint>& store, Batch& batch, std::size_t page) const {
     const std::size_t first = page * kPagePoints;
     const std::size_t count = std::min<std::size_t>(kPagePoints, batch.count - first);
+    store.read({&batch.points[first], count});
     const Point3& o = index_.origin;
     for (std::size_t i = first; i < first + count; ++i) {
       const Point3 p = scaled(batch.points[i].point);

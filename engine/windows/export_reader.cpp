@@ -36,7 +36,9 @@ std::optional<std::uint64_t> export_first_rank(std::string_view name) {
 }
 
 ExportReader::ExportReader(const ScratchDirectory& scratch, MemoryBudget& budget)
-    : scratch_(scratch), memory_(budget.reserve(0, "the table of what windows handed on")) {
+    : scratch_(scratch),
+      budget_(budget),
+      memory_(budget.reserve(0, "the table of what windows handed on")) {
   for (const std::string& name : scratch.names()) {
     if (export_first_rank(name)) read_table(scratch, name);
   }
@@ -91,6 +93,8 @@ std::uint64_t ExportReader::count(ExportKind kind, std::uint64_t chunk) const {
 
 void ExportReader::visit_raw(ExportKind kind, std::uint64_t chunk, const VisitRaw& visit) const {
   const auto parts = parts_of(kind, chunk);
+  if (parts.empty()) return;
+  const Reservation memory = budget_.reserve(read_memory(), "reading what windows handed on");
   std::vector<ExportRecord> records;
   for (auto part = parts.begin(); part != parts.end();) {
     const std::uint32_t file = part->file;

@@ -2,8 +2,8 @@
 //
 // Guarantees: visit(kind, chunk) delivers every record that any window added to it, in an order
 // that depends on the windows; damage is noticed. Thread rule: const access from many threads.
-// Memory: 24 bytes for up to 4096 records, from the budget; read_memory() for each thread that
-// reads, which the caller reserves.
+// Memory, from the budget: 24 bytes for up to 4096 records; read_memory() for each
+// thread that reads.
 #pragma once
 
 #include <array>
@@ -26,6 +26,8 @@ class ExportReader {
   /// \throw IoError, BudgetError
   ExportReader(const ScratchDirectory& scratch, MemoryBudget& budget);
 
+  /// What a thread takes from the budget while it reads, bytes: a reader, a part of the records,
+  /// and that part as records of its kind.
   static constexpr std::uint64_t read_memory() {
     return record_file_memory(kExportBlock) + 2 * kExportBlock;
   }
@@ -35,7 +37,7 @@ class ExportReader {
   std::uint64_t records() const { return records_; }
   std::uint64_t count(ExportKind kind, std::uint64_t chunk) const;
 
-  /// Calls visit(span) for the records of a chunk, some at a time. \throw IoError
+  /// Calls visit(span) for the records of a chunk, some at a time. \throw IoError, BudgetError
   template <ExportableRecord Record, class Visit>
   void visit(ExportKind kind, std::uint64_t chunk, const Visit& visit) const {
     std::vector<Record> records;
@@ -62,6 +64,7 @@ class ExportReader {
   void visit_raw(ExportKind kind, std::uint64_t chunk, const VisitRaw& visit) const;
 
   const ScratchDirectory& scratch_;
+  MemoryBudget& budget_;
   Reservation memory_;
   std::vector<std::string> files_;
   std::array<std::vector<Part>, kExportKinds> parts_;  ///< by chunk, file, first
@@ -76,13 +79,13 @@ class ExportedRecords {
 
   std::uint64_t count(std::uint64_t chunk) const { return reader_->count(kind_, chunk); }
 
-  /// Calls visit(span) for the records of a chunk, some at a time. \throw IoError
+  /// Calls visit(span) for the records of a chunk, some at a time. \throw IoError, BudgetError
   template <class Visit>
   void visit(std::uint64_t chunk, const Visit& visit) const {
     reader_->visit<Record>(kind_, chunk, visit);
   }
 
-  /// The caller reserves count() records. \throw IoError
+  /// The caller reserves count() records. \throw IoError, BudgetError
   std::vector<Record> records(std::uint64_t chunk) const {
     std::vector<Record> records;
     records.reserve(count(chunk));

@@ -1,0 +1,36 @@
+// What is counted of a surface, or of the part of it that one chunk answers for.
+//
+// Guarantees: the counts of parts add up. Thread rule: a value. Memory: a few words.
+#pragma once
+
+#include <cstdint>
+
+#include "spatial/simplex_digest.h"
+
+namespace stream_recon {
+
+struct SurfaceCounts {
+  std::uint64_t vertices = 0;
+  std::uint64_t edges = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t boundary_edges = 0;     ///< edges of one triangle
+  std::uint64_t nonmanifold_edges = 0;  ///< edges of three and more
+  SimplexDigest digest;                 ///< of the triangles' input indices
+
+  void merge(const SurfaceCounts& part) {
+    vertices += part.vertices;
+    edges += part.edges;
+    triangles += part.triangles;
+    boundary_edges += part.boundary_edges;
+    nonmanifold_edges += part.nonmanifold_edges;
+    digest.merge(part.digest);
+  }
+
+  /// Vertices - edges + triangles.
+  std::int64_t euler() const {
+    return static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) +
+           static_cast<std::int64_t>(triangles);
+  }
+};
+
+}  // namespace stream_recon
