@@ -21,8 +21,8 @@
 namespace stream_recon {
 namespace {
 
-/// Facets that tasks have found and not yet handed to the sink, bytes.
-constexpr std::uint64_t kConsumerMemory = std::uint64_t{8} << 20;
+/// What the consumers of a window hold while it is theirs, bytes a thread.
+constexpr std::uint64_t kConsumerMemory = std::uint64_t{1} << 20;
 
 std::unique_ptr<FacetFilter> make_filter(const RunOptions& options, const ChunkLayout& layout,
                                          const StopRequest& stop) {
@@ -114,7 +114,8 @@ class Pipeline {
   }
 
   void build_windows(const CloudIndex& index, const ChunkLayout& layout) {
-    const Reservation memory = context_.budget.reserve(kConsumerMemory, "facets on their way");
+    const Reservation memory =
+        context_.budget.reserve(report_.threads * kConsumerMemory, "facets on their way");
     std::vector<WindowConsumer*> consumers;
     std::unique_ptr<FacetFilter> filter;
     if (options_.surface != SurfaceKind::kNone) {

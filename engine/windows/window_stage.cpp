@@ -9,84 +9,24 @@
 #include <vector>
 
 #include "engine/parallel.h"
-#include "engine/process_memory.h"
 #include "engine/size_text.h"
 #include "engine/windows/export_writer.h"
+#include "engine/windows/window_plan.h"
 
 namespace stream_recon {
 namespace {
 
 using namespace index_layout;
 
-/// What a window is expected to need for each point it owns, guests included; where that is too
-/// little it is split.
-constexpr std::uint64_t kBytesAnOwnedPoint = 700;
-
-/// Windows below this size are mostly guests: rather fewer threads.
-constexpr std::uint64_t kSmallWindow = std::uint64_t{24} << 20;
-
-/// Enough windows that no thread waits long for the last one.
-constexpr std::uint64_t kWindowsAThread = 2;
-constexpr std::uint64_t kLeastOwned = 1 << 15;
-
-/// How the memory is shared out.
-struct Plan {
-  unsigned threads = 1;
-  std::uint64_t cache_bytes = 0;
-  std::uint64_t window_bytes = 0;  ///< each
-  std::uint64_t window_points = 0;
-};
-
-/// What a thread needs besides its window.
-std::uint64_t fixed_memory(const CloudIndex& index) {
-  return CertifiedWindow::fixed_memory(index) + ExportWriter::memory();
-}
-
-[[noreturn]] void refuse(std::uint64_t need, const MemoryBudget& budget) {
-  throw BudgetError(
-      fmt::format("--memory {} leaves {} for windows, but they need {}; give --memory {} or more",
-                  size_argument(budget.limit()), size_text(budget.available()), size_text(need),
-                  size_argument(budget.used() + need)));
-}
-
-Plan make_plan(const CloudIndex& index, const WindowStageOptions& options,
-               const MemoryBudget& budget) {
-  const std::uint64_t available = budget.available();
-  const std::uint64_t fixed = fixed_memory(index);
-  Plan plan;
-  const std::uint64_t least = IndexCaches::least_memory(1) + fixed + (std::uint64_t{4} << 20);
-  if (available < least) refuse(least, budget);
-  plan.cache_bytes = std::clamp(available / 5, IndexCaches::least_memory(options.threads),
-                                std::max(IndexCaches::least_memory(options.threads),
-                                         IndexCaches::most_memory(index.point_count)));
-  plan.cache_bytes = std::min(plan.cache_bytes, available / 2);
-  const std::uint64_t rest = available - plan.cache_bytes;
-  plan.threads = static_cast<unsigned>(
-      std::clamp<std::uint64_t>(rest / (fixed + kSmallWindow), 1, options.threads));
-  plan.window_bytes = rest / plan.threads - fixed;
-  std::uint64_t points = plan.window_bytes / kBytesAnOwnedPoint;
-  if (options.window_points != 0) points = std::min(points, options.window_points);
-  const std::uint64_t evenly = quotient_up(index.point_count, kWindowsAThread * plan.threads);
-  if (plan.threads > 1) points = std::min(points, std::max(evenly, kLeastOwned));
-  // All windows of about the same size, and as many for every thread.
-  std::uint64_t windows = quotient_up(index.point_count, std::max(points, kLeafPoints));
-  if (windows > 1) windows = quotient_up(windows, plan.threads) * plan.threads;
-  points = quotient_up(index.point_count, windows);
-  // Whole pages make the index know at once what is in the window.
-  const std::uint64_t step = points >= 4 * kPagePoints ? kPagePoints : kLeafPoints;
-  plan.window_points = quotient_up(points, step) * step;
-  return plan;
-}
-
 class WindowStage {
  public:
-  WindowStage(const WindowStageParts& parts, WindowProgress progress, const Plan& plan,
+  WindowStage(const WindowStageParts& parts, WindowProgress progress, const WindowPlan& plan,
               const StageContext& context)
       : parts_(parts),
         plan_(plan),
         context_(context),
         memory_(context.budget.reserve(
-            plan.cache_bytes + plan.threads * (plan.window_bytes + fixed_memory(parts.index)),
+            plan.cache_bytes + plan.threads * (plan.window_bytes + plan.fixed_bytes),
             "the windows")),
         caches_(context.scratch, parts.index, plan.cache_bytes),
         progress_(std::move(progress)),
@@ -196,7 +136,7 @@ class WindowStage {
   }
 
   const WindowStageParts& parts_;
-  const Plan plan_;
+  const WindowPlan plan_;
   const StageContext& context_;
   Reservation memory_;
   IndexCaches caches_;
@@ -214,7 +154,7 @@ class WindowStage {
 WindowProgress run_window_stage(const WindowStageParts& parts, WindowProgress progress,
                                 const WindowStageOptions& options, const StageContext& context) {
   if (progress.done_points() == parts.index.point_count) return progress;
-  const Plan plan = make_plan(parts.index, options, context.budget);
+  const WindowPlan plan = plan_windows(parts.index, options, context.budget);
   return WindowStage(parts, std::move(progress), plan, context).run();
 }
 

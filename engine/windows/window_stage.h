@@ -13,15 +13,10 @@
 #include <span>
 
 #include "engine/stage_context.h"
+#include "engine/windows/window_plan.h"
 #include "engine/windows/window_progress.h"
 
 namespace stream_recon {
-
-struct WindowStageOptions {
-  unsigned threads = 1;
-  /// Owned points of a window at most; 0: as many as the memory allows.
-  std::uint64_t window_points = 0;
-};
 
 /// Who wants to know that windows are finished; called by one thread at a time.
 using WindowObserver = std::function<void(const WindowProgress&)>;
