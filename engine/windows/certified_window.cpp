@@ -44,7 +44,7 @@ void WindowCounts::add(const WindowCounts& other) {
 
 std::uint64_t CertifiedWindow::fixed_memory(const CloudIndex& index) {
   return IndexReader::kMemory + PresentPoints::memory(index.leaf_count()) +
-         (index.top.size() + 5) * sizeof(BallList) + (std::uint64_t{1} << 20);
+         CertificateSearch::memory(index) + (std::uint64_t{1} << 20);
 }
 
 CertifiedWindow::Outcome CertifiedWindow::build(const OwnedRange& owned,
