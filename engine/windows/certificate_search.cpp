@@ -44,10 +44,11 @@ CertificateSearch::CertificateSearch(const CloudIndex& index, IndexReader& reade
   for (std::size_t i = 0; i < depth_of(index); ++i) lists_.push_back(std::make_unique<BallList>());
 }
 
-void CertificateSearch::search(const Delaunay& delaunay, const PresentPoints& present,
+void CertificateSearch::search(const Delaunay& delaunay, const Scope& scope,
                                std::span<const CellId> cells, std::span<LeafNumber> conflicts) {
   delaunay_ = &delaunay;
-  present_ = &present;
+  present_ = &scope.present;
+  first_leaf_ = scope.first_leaf;
   conflicts_ = conflicts;
   balls_.clear();
   half_spaces_.clear();
@@ -90,7 +91,7 @@ Region CertificateSearch::region(std::uint32_t id, const ListFrame& frame) const
 // any.
 bool CertificateSearch::narrow(const NodeBounds& bounds, const LeafRange& leaves,
                                std::size_t depth) {
-  if (bounds.empty() || present_->has_leaves(leaves)) return false;
+  if (bounds.empty() || leaves.end <= first_leaf_ || present_->has_leaves(leaves)) return false;
   counts_.node_visits += lists_[depth]->count;
   touching(*lists_[depth], bounds, frame_, *lists_[depth + 1]);
   return lists_[depth + 1]->count > 0;

@@ -1,12 +1,11 @@
 // Asks the index whether cells of a window are final: is there a point of the cloud, not yet in the
 // window, in conflict with them?
 //
-// Guarantees: exact. A cell for which nothing is found is a cell of the Delaunay tetrahedralization
-// of the whole cloud; a leaf that is named has a point in conflict, decided by the exact
-// predicates.
-// Thread rule: one window's. Memory: 12 KB a level of the index, about 250 KB.
-// Cost: cells go through the index in packets of 512 that share each node's load; about 1 ns a cell
-// and node.
+// Guarantees: exact. A cell for which nothing is found among all points is a cell of the Delaunay
+// tetrahedralization of the whole cloud; a leaf that is named has a point in conflict, decided by
+// the exact predicates. Thread rule: one window's. Memory: 12 KB a level of the index, about 250
+// KB. Cost: cells go through the index in packets of 512 that share each node's load; about 1 ns a
+// cell and node.
 #pragma once
 
 #include <cstdint>
@@ -48,9 +47,15 @@ class CertificateSearch {
 
   CertificateSearch(const CloudIndex& index, IndexReader& reader);
 
+  /// Among which points conflicts are looked for: those not present, from a leaf on.
+  struct Scope {
+    const PresentPoints& present;
+    index_layout::LeafNumber first_leaf;
+  };
+
   /// For each cell kFinal, or the leaf of a point in conflict with it: one deep inside.
   /// \pre At most kMostCells live cells. \throw IoError
-  void search(const Delaunay& delaunay, const PresentPoints& present, std::span<const CellId> cells,
+  void search(const Delaunay& delaunay, const Scope& scope, std::span<const CellId> cells,
               std::span<index_layout::LeafNumber> conflicts);
 
   /// Since the last call.
@@ -92,6 +97,7 @@ class CertificateSearch {
   IndexReader& reader_;
   const Delaunay* delaunay_ = nullptr;
   const PresentPoints* present_ = nullptr;
+  index_layout::LeafNumber first_leaf_ = 0;
   std::span<index_layout::LeafNumber> conflicts_;
   std::vector<BallQuery> balls_;
   std::vector<HalfSpaceQuery> half_spaces_;
