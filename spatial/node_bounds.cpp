@@ -1,8 +1,13 @@
 #include "spatial/node_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "spatial/patch_fit.h"
+#include "spatial/vector.h"
 
 namespace stream_recon {
 namespace {
@@ -21,61 +26,14 @@ float round_up(double value) {
   return -round_down(-value);
 }
 
-double dot(const Point3& a, const Point3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+void store(const Point3& from, float (&to)[3]) {
+  to[0] = static_cast<float>(from.x);
+  to[1] = static_cast<float>(from.y);
+  to[2] = static_cast<float>(from.z);
 }
 
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Point3 minus(const Point3& a, const Point3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-/// Symmetric, and the sum over points of their outer products.
-struct Moments {
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-
-  void add(const Point3& v, double weight) {
-    xx += weight * v.x * v.x;
-    xy += weight * v.x * v.y;
-    xz += weight * v.x * v.z;
-    yy += weight * v.y * v.y;
-    yz += weight * v.y * v.z;
-    zz += weight * v.z * v.z;
-  }
-};
-
-// The direction of least extent: inverse iteration by the adjugate, whose columns are what any
-// start becomes after one step; two squarings make it two more doublings. Any unit vector would do
-// for correctness.
-Point3 least_direction(const Moments& m) {
-  double a = m.yy * m.zz - m.yz * m.yz;
-  double b = m.xz * m.yz - m.xy * m.zz;
-  double c = m.xy * m.yz - m.xz * m.yy;
-  double d = m.xx * m.zz - m.xz * m.xz;
-  double e = m.xy * m.xz - m.xx * m.yz;
-  double f = m.xx * m.yy - m.xy * m.xy;
-  for (int step = 0; step < 3; ++step) {
-    const double size = std::max({std::abs(a), std::abs(d), std::abs(f)});
-    if (!(size > 0) || !std::isfinite(size)) return {0, 0, 1};
-    const double s = 1 / size;
-    a *= s, b *= s, c *= s, d *= s, e *= s, f *= s;
-    if (step == 2) break;
-    const double aa = a * a + b * b + c * c;
-    const double ab = a * b + b * d + c * e;
-    const double ac = a * c + b * e + c * f;
-    const double dd = b * b + d * d + e * e;
-    const double de = b * c + d * e + e * f;
-    const double ff = c * c + e * e + f * f;
-    a = aa, b = ab, c = ac, d = dd, e = de, f = ff;
-  }
-  Point3 column{a, b, c};
-  if (d > a && d >= f) column = {b, d, e};
-  if (f > a && f > d) column = {c, e, f};
-  const double length = std::sqrt(dot(column, column));
-  return {column.x / length, column.y / length, column.z / length};
+Point3 load(const float (&from)[3]) {
+  return {from[0], from[1], from[2]};
 }
 
 void set_box(NodeBounds& bounds, const Point3& low, const Point3& high, double slack) {
@@ -87,28 +45,163 @@ void set_box(NodeBounds& bounds, const Point3& low, const Point3& high, double s
   bounds.high[2] = round_up(high.z + slack);
 }
 
-Point3 middle_of(const NodeBounds& b) {
-  return {0.5 * (double{b.low[0]} + double{b.high[0]}),
-          0.5 * (double{b.low[1]} + double{b.high[1]}),
-          0.5 * (double{b.low[2]} + double{b.high[2]})};
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void extend(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+/// The patch of a node as it is stored: every float is taken at its word.
+struct Sheet {
+  Point3 middle;
+  std::array<Point3, 2> rows;
+  Point3 normal;
+  std::array<double, 2> curvature;
+  /// u, w and the height over the plane of the rows are along.v and up.v.
+  std::array<Point3, 2> along;
+  Point3 up;
+
+  explicit Sheet(const NodeBounds& b)
+      : middle(load(b.middle)),
+        rows{load(b.rows[0]), load(b.rows[1])},
+        normal(load(b.normal)),
+        curvature{b.curvature[0], b.curvature[1]} {
+    const Point3 area = cross(rows[0], rows[1]);
+    const double share = 1 / dot(area, normal);
+    along = {scaled(cross(rows[1], normal), share), scaled(cross(normal, rows[0]), share)};
+    up = scaled(area, share);
+  }
+};
+
+void set_frame(NodeBounds& bounds, const Patch& patch) {
+  const bool is_steep = std::abs(patch.slope[0]) > 0.9 || std::abs(patch.slope[1]) > 0.9;
+  store(patch.middle, bounds.middle);
+  store(patch.normal, bounds.normal);
+  for (int i = 0; i < 2; ++i) {
+    const double slope = is_steep ? 0 : patch.slope[i];
+    store(plus(patch.axes[i], scaled(patch.normal, slope)), bounds.rows[i]);
+    bounds.curvature[i] = is_steep ? 0.0F : static_cast<float>(patch.curvature[i]);
+    if (!std::isfinite(bounds.curvature[i])) bounds.curvature[i] = 0;
+  }
 }
 
-void set_normal(NodeBounds& bounds, const Point3& normal) {
-  bounds.normal[0] = static_cast<float>(normal.x);
-  bounds.normal[1] = static_cast<float>(normal.y);
-  bounds.normal[2] = static_cast<float>(normal.z);
+/// \pre set_frame()
+void set_extents(NodeBounds& bounds, const std::array<double, 2>& extents, double slack) {
+  for (int i = 0; i < 2; ++i) {
+    bounds.extent[i] = round_up(extents[i] * (1 + kSlack) + slack);
+    if (std::abs(bounds.curvature[i]) * bounds.extent[i] > 1) bounds.curvature[i] = 0;
+  }
 }
 
-Point3 normal_of(const NodeBounds& b) {
-  return {b.normal[0], b.normal[1], b.normal[2]};
+void set_thickness(NodeBounds& bounds, const Interval& thickness, double slack) {
+  bounds.thick_low = round_down(thickness.low - slack);
+  bounds.thick_high = round_up(thickness.high + slack);
 }
 
-/// `size`: a length that no distance inside the node exceeds.
-void set_disc(NodeBounds& bounds, double low, double high, double radius, double slack) {
-  bounds.slab_low = round_down(low - slack);
-  bounds.slab_high = round_up(high + slack);
-  bounds.radius = round_up(radius + slack);
+void set_patch(NodeBounds& bounds, std::span<const Point3> points, double slack) {
+  set_frame(bounds, fit_patch(points));
+  const Sheet frame(bounds);
+  std::array<double, 2> extents{};
+  for (const Point3& p : points) {
+    const Point3 v = minus(p, frame.middle);
+    for (int i = 0; i < 2; ++i) extents[i] = std::max(extents[i], std::abs(dot(frame.along[i], v)));
+  }
+  set_extents(bounds, extents, 8 * slack);
+  const Sheet sheet(bounds);
+  Interval thickness;
+  for (const Point3& p : points) {
+    const Point3 v = minus(p, sheet.middle);
+    const double u = dot(sheet.along[0], v);
+    const double w = dot(sheet.along[1], v);
+    thickness.extend(dot(sheet.up, v) -
+                     (sheet.curvature[0] * u * u + sheet.curvature[1] * w * w) / 2);
+  }
+  set_thickness(bounds, thickness, 8 * slack);
 }
+
+/// What a node says about its points, for the node above.
+class Child {
+ public:
+  explicit Child(const NodeBounds& b)
+      : sheet_(b),
+        extent_{b.extent[0], b.extent[1]},
+        thick_{b.thick_low, b.thick_high},
+        rise_(thick_.magnitude()) {
+    for (int i = 0; i < 2; ++i) {
+      rise_ += std::abs(sheet_.curvature[i]) * extent_[i] * extent_[i] / 2;
+    }
+  }
+
+  void sample(std::vector<Point3>& points) const {
+    for (const double u : {-1.0, 0.0, 1.0}) {
+      for (const double w : {-1.0, 0.0, 1.0}) {
+        const double x = u * extent_[0];
+        const double y = w * extent_[1];
+        const double z =
+            (thick_.low + thick_.high + sheet_.curvature[0] * x * x + sheet_.curvature[1] * y * y) /
+            2;
+        points.push_back(plus(plus(sheet_.middle, scaled(sheet_.normal, z)),
+                              plus(scaled(sheet_.rows[0], x), scaled(sheet_.rows[1], y))));
+      }
+    }
+  }
+
+  /// How far along axis i of `above` a point can be.
+  double extent_in(const Sheet& above, int i) const {
+    const Point3& axis = above.along[i];
+    return std::abs(dot(axis, minus(sheet_.middle, above.middle))) +
+           extent_[0] * std::abs(dot(axis, sheet_.rows[0])) +
+           extent_[1] * std::abs(dot(axis, sheet_.rows[1])) +
+           rise_ * std::abs(dot(axis, sheet_.normal));
+  }
+
+  /// How far from the paraboloid of `above` points can be: a polynomial in u, w and z, bounded term
+  /// by term. Terms with z^2, or z times u or w, are small where this matters.
+  Interval heights_over(const Sheet& above) const {
+    const Point3 away = minus(sheet_.middle, above.middle);
+    const double steep = dot(above.up, sheet_.normal);
+    double constant = dot(above.up, away);
+    std::array<double, 2> linear{dot(above.up, sheet_.rows[0]), dot(above.up, sheet_.rows[1])};
+    std::array<double, 2> square{sheet_.curvature[0] * steep / 2, sheet_.curvature[1] * steep / 2};
+    double rest = 0;
+    for (int i = 0; i < 2; ++i) {
+      const Point3& axis = above.along[i];
+      const double bend = above.curvature[i];
+      const double at = dot(axis, away);
+      const double p = dot(axis, sheet_.rows[0]);
+      const double q = dot(axis, sheet_.rows[1]);
+      const double y = rise_ * std::abs(dot(axis, sheet_.normal));
+      constant -= bend * at * at / 2;
+      linear[0] -= bend * at * p;
+      linear[1] -= bend * at * q;
+      square[0] -= bend * p * p / 2;
+      square[1] -= bend * q * q / 2;
+      const double most = std::abs(at) + std::abs(p) * extent_[0] + std::abs(q) * extent_[1];
+      rest += std::abs(bend) * (std::abs(p * q) * extent_[0] * extent_[1] + y * (most + y));
+    }
+    Interval heights{constant - rest, constant + rest};
+    for (int i = 0; i < 2; ++i) {
+      const double tilt = std::abs(linear[i]) * extent_[i];
+      const double curve = square[i] * extent_[i] * extent_[i];
+      heights.low += std::min(0.0, curve) - tilt;
+      heights.high += std::max(0.0, curve) + tilt;
+    }
+    heights.low += std::min(steep * thick_.low, steep * thick_.high);
+    heights.high += std::max(steep * thick_.low, steep * thick_.high);
+    return heights;
+  }
+
+ private:
+  Sheet sheet_;
+  std::array<double, 2> extent_;
+  Interval thick_;
+  double rise_;  ///< the most of |z|
+};
 
 }  // namespace
 
@@ -118,7 +211,6 @@ NodeBounds empty_bounds() {
     bounds.low[i] = kInfinity;
     bounds.high[i] = -kInfinity;
   }
-  bounds.normal[2] = 1;
   return bounds;
 }
 
@@ -136,103 +228,45 @@ NodeBounds bounds_of_points(std::span<const Point3> points, double reach) {
   if (points.empty()) return bounds;
   Point3 low = points[0];
   Point3 high = points[0];
-  Point3 mean{};
   for (const Point3& p : points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    mean = {mean.x + p.x, mean.y + p.y, mean.z + p.z};
   }
-  const double slack = kSlack * reach;
-  set_box(bounds, low, high, slack);
-  const double share = 1 / static_cast<double>(points.size());
-  mean = {mean.x * share, mean.y * share, mean.z * share};
-  Moments moments;
-  for (const Point3& p : points) moments.add(minus(p, mean), 1);
-  set_normal(bounds, least_direction(moments));
-
-  const Point3 middle = middle_of(bounds);
-  const Point3 normal = normal_of(bounds);
-  const double inverse = 1 / dot(normal, normal);
-  double slab_low = std::numeric_limits<double>::infinity();
-  double slab_high = -slab_low;
-  double lateral_squared = 0;
-  for (const Point3& p : points) {
-    const Point3 v = minus(p, middle);
-    const double along = dot(normal, v);
-    slab_low = std::min(slab_low, along);
-    slab_high = std::max(slab_high, along);
-    const double t = along * inverse;
-    const Point3 side = minus(v, {t * normal.x, t * normal.y, t * normal.z});
-    lateral_squared = std::max(lateral_squared, dot(side, side));
-  }
-  set_disc(bounds, slab_low, slab_high, std::sqrt(lateral_squared) * (1 + kSlack), slack);
+  set_box(bounds, low, high, kSlack * reach);
+  set_patch(bounds, points, kSlack * reach);
   return bounds;
 }
 
 NodeBounds bounds_of_nodes(std::span<const NodeBounds> nodes, double reach) {
   NodeBounds bounds = empty_bounds();
-  Point3 mean{};
-  double count = 0;
+  std::vector<Child> children;
+  std::vector<Point3> samples;
   for (const NodeBounds& node : nodes) {
     if (node.empty()) continue;
     for (int i = 0; i < 3; ++i) {
       bounds.low[i] = std::min(bounds.low[i], node.low[i]);
       bounds.high[i] = std::max(bounds.high[i], node.high[i]);
     }
-    const Point3 m = middle_of(node);
-    mean = {mean.x + m.x, mean.y + m.y, mean.z + m.z};
-    ++count;
+    children.emplace_back(node);
+    children.back().sample(samples);
   }
-  if (count == 0) return bounds;
-  mean = {mean.x / count, mean.y / count, mean.z / count};
-  Moments moments;
-  for (const NodeBounds& node : nodes) {
-    if (node.empty()) continue;
-    // A disc of radius r has r^2 / 4 about each axis in its plane.
-    const double spread = double{node.radius} * node.radius / 4;
-    const Point3 n = normal_of(node);
-    moments.add(minus(middle_of(node), mean), 1);
-    moments.xx += spread, moments.yy += spread, moments.zz += spread;
-    moments.add(n, -spread);
+  if (children.empty()) return bounds;
+  set_frame(bounds, fit_patch(samples));
+  const Sheet frame(bounds);
+  std::array<double, 2> extents{};
+  for (const Child& child : children) {
+    for (int i = 0; i < 2; ++i) extents[i] = std::max(extents[i], child.extent_in(frame, i));
   }
-  set_normal(bounds, least_direction(moments));
-
-  const Point3 middle = middle_of(bounds);
-  const Point3 normal = normal_of(bounds);
-  const double inverse = 1 / dot(normal, normal);
-  double slab_low = std::numeric_limits<double>::infinity();
-  double slab_high = -slab_low;
-  double radius = 0;
-  for (const NodeBounds& node : nodes) {
-    if (node.empty()) continue;
-    const NodeFrame child(node);
-    const Point3 v = minus(child.middle, middle);
-    const double along = dot(normal, v);
-    // In the child's frame a point is m + (t n + s) with t in the slab over |n|^2, |s| <= radius.
-    const double cosine = dot(normal, child.normal) * child.inverse_normal_squared;
-    const Point3 tilt = cross(normal, child.normal);
-    const double sine = std::sqrt(dot(tilt, tilt)) * (1 + 1e-6);
-    const double ends[2] = {cosine * child.slab_low, cosine * child.slab_high};
-    slab_low = std::min(slab_low, along + std::min(ends[0], ends[1]) - sine * child.radius);
-    slab_high = std::max(slab_high, along + std::max(ends[0], ends[1]) + sine * child.radius);
-    const double t = along * inverse;
-    const Point3 side = minus(v, {t * normal.x, t * normal.y, t * normal.z});
-    const double thick = std::max(std::abs(child.slab_low), std::abs(child.slab_high));
-    radius =
-        std::max(radius, std::sqrt(dot(side, side)) + child.radius + sine * thick * (1 + 1e-6));
+  set_extents(bounds, extents, 8 * kSlack * reach);
+  const Sheet sheet(bounds);
+  Interval thickness;
+  for (const Child& child : children) {
+    const Interval heights = child.heights_over(sheet);
+    thickness.extend(heights.low);
+    thickness.extend(heights.high);
   }
-  set_disc(bounds, slab_low, slab_high, radius * (1 + kSlack), kSlack * reach);
+  set_thickness(bounds, thickness, 8 * kSlack * (reach + thickness.magnitude()));
   return bounds;
 }
-
-NodeFrame::NodeFrame(const NodeBounds& b)
-    : low{b.low[0], b.low[1], b.low[2]},
-      high{b.high[0], b.high[1], b.high[2]},
-      middle(middle_of(b)),
-      normal(normal_of(b)),
-      inverse_normal_squared(1 / dot(normal, normal)),
-      slab_low(b.slab_low),
-      slab_high(b.slab_high),
-      radius(b.radius) {}
 
 }  // namespace stream_recon

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "engine/windows/final_simplices.h"
 #include "engine/windows/index_layout.h"
 #include "engine/windows/page_cache.h"
 #include "engine/windows/present_points.h"
@@ -62,7 +63,8 @@ TEST(PresentPoints, AreThoseOfTheirLeavesAndTheSingleOnes) {
       EXPECT_EQ(present.add_single(rank), is_new);
     }
     for (PointRank rank = 0; rank < kLeaves * kLeafPoints; ++rank) {
-      ASSERT_EQ(present.contains(rank), leaves.contains(leaf_of(rank)) || singles.contains(rank));
+      ASSERT_EQ(present.has_leaf(leaf_of(rank)), leaves.contains(leaf_of(rank)));
+      ASSERT_EQ(present.is_single(rank), singles.contains(rank));
     }
     for (int i = 0; i < 3000; ++i) {
       const LeafNumber begin = random() % 140;
@@ -81,6 +83,22 @@ TEST(PresentPoints, DoNotMissLeavesBeyondTheEndOfTheCloud) {
   for (LeafNumber leaf = 64; leaf < 70; ++leaf) present.add_leaf(leaf);
   EXPECT_TRUE(present.has_leaves({64, 128}));
   EXPECT_FALSE(present.has_leaves({63, 128}));
+}
+
+TEST(FinalWindow, EmitsPartOfACellWithAtMostOneVertexBeforeTheWindow) {
+  // Owns ranks 100 .. 103; guests 4, 5 and 6, 7 before and after.
+  const std::vector<PointRank> guests{7, 99, 104, 500};
+  const FinalWindow window(
+      {.first_rank = 100, .owned_count = 4, .guest_ranks = guests, .input_indices = {}});
+  constexpr VertexId kInfinite = Delaunay::kInfinite;
+  EXPECT_TRUE(emits_part(window, {0, 1, 2, 3}));
+  EXPECT_TRUE(emits_part(window, {6, 7, 3, 0}));
+  EXPECT_TRUE(emits_part(window, {6, 4, 7, 2}));
+  EXPECT_FALSE(emits_part(window, {4, 5, 0, 1}));
+  EXPECT_FALSE(emits_part(window, {4, 6, 7, 4}));
+  EXPECT_TRUE(emits_part(window, {1, 6, 7, kInfinite}));
+  EXPECT_FALSE(emits_part(window, {1, 5, 7, kInfinite}));
+  EXPECT_FALSE(emits_part(window, {6, 7, 6, kInfinite}));
 }
 
 TEST(IndexLayout, ChildrenCoverTheLeavesOfTheirParent) {

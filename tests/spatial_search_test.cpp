@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 #include <string>
@@ -95,26 +96,55 @@ Cloud draw(const families::Family& family, std::size_t count, std::mt19937_64& r
   return cloud;
 }
 
-Point3 middle(const NodeBounds& b) {
-  return {0.5 * (double{b.low[0]} + double{b.high[0]}),
-          0.5 * (double{b.low[1]} + double{b.high[1]}),
-          0.5 * (double{b.low[2]} + double{b.high[2]})};
+Point3 vector(const float (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
+
+LongVector exactly(const Point3& p) {
+  return minus(p, {});
+}
+
+/// u, w and z with v = u rows[0] + w rows[1] + z normal.
+LongVector in_patch(const NodeBounds& bounds, const LongVector& v) {
+  const LongVector a = exactly(vector(bounds.rows[0]));
+  const LongVector b = exactly(vector(bounds.rows[1]));
+  const LongVector n = exactly(vector(bounds.normal));
+  const Long volume = dot(a, cross(b, n));
+  return {dot(v, cross(b, n)) / volume, dot(v, cross(n, a)) / volume, dot(v, cross(a, b)) / volume};
+}
+
+/// Of the axes that the patch is described in.
+void expect_good_axes(const NodeBounds& bounds) {
+  const LongVector n = exactly(vector(bounds.normal));
+  std::array<LongVector, 2> axes{exactly(vector(bounds.rows[0])), exactly(vector(bounds.rows[1]))};
+  for (int i = 0; i < 2; ++i) {
+    const Long slope = dot(axes[i], n);
+    ASSERT_LT(std::abs(slope), 1);
+    for (int k = 0; k < 3; ++k) axes[i][k] -= slope * n[k];
+    ASSERT_NEAR(double(dot(axes[i], axes[i])), 1, NodeBounds::kAxesError);
+    ASSERT_NEAR(double(dot(axes[i], n)), 0, NodeBounds::kAxesError);
+    ASSERT_LE(std::abs(bounds.curvature[i] * bounds.extent[i]), 1);
+  }
+  ASSERT_NEAR(double(dot(axes[0], axes[1])), 0, NodeBounds::kAxesError);
+  ASSERT_NEAR(double(dot(n, n)), 1, NodeBounds::kAxesError);
 }
 
 void expect_holds(const NodeBounds& bounds, const Cloud& cloud, std::size_t i) {
   const LongVector p = minus(cloud.points[i], cloud.origin);
-  const Point3 m = middle(bounds);
-  const LongVector v{p[0] - m.x, p[1] - m.y, p[2] - m.z};
-  const LongVector normal{bounds.normal[0], bounds.normal[1], bounds.normal[2]};
   for (int axis = 0; axis < 3; ++axis) {
     ASSERT_LE(Long{bounds.low[axis]}, p[axis]) << "point " << i << ", axis " << axis;
     ASSERT_GE(Long{bounds.high[axis]}, p[axis]) << "point " << i << ", axis " << axis;
   }
+  ASSERT_NO_FATAL_FAILURE(expect_good_axes(bounds));
+  const Point3 m = vector(bounds.middle);
+  const LongVector v{p[0] - m.x, p[1] - m.y, p[2] - m.z};
   const Long tolerance = kRounding * length(v);
-  ASSERT_NEAR(double(length(normal)), 1, 1e-6);
-  ASSERT_GE(dot(normal, v), bounds.slab_low - tolerance) << "point " << i;
-  ASSERT_LE(dot(normal, v), bounds.slab_high + tolerance) << "point " << i;
-  ASSERT_LE(length(cross(normal, v)) / length(normal), bounds.radius + tolerance) << "point " << i;
+  const auto [u, w, z] = in_patch(bounds, v);
+  ASSERT_LE(std::abs(u), bounds.extent[0] + tolerance) << "point " << i;
+  ASSERT_LE(std::abs(w), bounds.extent[1] + tolerance) << "point " << i;
+  const Long t = z - (bounds.curvature[0] * u * u + bounds.curvature[1] * w * w) / 2;
+  ASSERT_GE(t, bounds.thick_low - tolerance) << "point " << i;
+  ASSERT_LE(t, bounds.thick_high + tolerance) << "point " << i;
 }
 
 std::string trace(const families::Family& family, unsigned seed) {
@@ -179,28 +209,48 @@ TEST(NodeBounds, OfNothingAreEmptyAndAreIgnored) {
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     ASSERT_NO_FATAL_FAILURE(expect_holds(among, cloud, i));
   }
-  EXPECT_EQ(among.radius, alone.radius);
-  EXPECT_EQ(among.slab_low, alone.slab_low);
-  EXPECT_EQ(among.slab_high, alone.slab_high);
+  EXPECT_EQ(among.extent[0], alone.extent[0]);
+  EXPECT_EQ(among.thick_low, alone.thick_low);
+  EXPECT_EQ(among.thick_high, alone.thick_high);
 }
 
-TEST(NodeBounds, OfAPlanePatchAreAThinDiscAlsoOneLevelUp) {
+/// Points in the order of a curve that fills the square, 16 for each of `leaves` squares.
+Cloud draw_graph(int leaves_a_side, const std::function<double(double, double)>& height,
+                 std::mt19937_64& random) {
+  std::uniform_real_distribution<double> within(0, 1.0 / leaves_a_side);
+  Cloud cloud;
+  cloud.reach = 2;
+  for (int leaf = 0; leaf < leaves_a_side * leaves_a_side; ++leaf) {
+    for (int i = 0; i < 16; ++i) {
+      const double x = static_cast<double>(leaf % leaves_a_side) / leaves_a_side + within(random);
+      const double y = static_cast<double>(leaf / leaves_a_side) / leaves_a_side + within(random);
+      cloud.points.push_back({x, y, height(x, y)});
+    }
+  }
+  cloud.relative = cloud.points;
+  return cloud;
+}
+
+TEST(NodeBounds, OfACurvedSurfaceAreThinAlsoOneLevelUp) {
+  const auto bowl = [](double x, double y) { return 0.1 * x * x + 0.05 * x * y + 0.2 * y * y; };
+  const auto saddle = [](double x, double y) { return 0.3 * x - 0.2 * y + 0.2 * x * y; };
   for (unsigned seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE(trace(shapes().back(), seed));
+    SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
-    const Cloud cloud = draw(shapes().back(), 64, random);
+    const Cloud cloud = seed % 2 ? draw_graph(2, bowl, random) : draw_graph(2, saddle, random);
     std::vector<NodeBounds> nodes;
     for (int i = 0; i < 4; ++i) {
       nodes.push_back(bounds_of_points({&cloud.relative[i * 16], 16}, cloud.reach));
     }
+    nodes.push_back(bounds_of_points(cloud.relative, cloud.reach));
     nodes.push_back(bounds_of_nodes({nodes.data(), 4}, cloud.reach));
     for (const NodeBounds& b : nodes) {
-      const double diagonal =
-          std::hypot(b.high[0] - b.low[0], b.high[1] - b.low[1], b.high[2] - b.low[2]);
-      // The node above takes what it knows from boxes and discs.
-      const double share = &b == &nodes.back() ? 0.05 : 0.01;
-      EXPECT_LT(b.slab_high - b.slab_low, share * diagonal);
-      EXPECT_LT(b.radius, diagonal);
+      const double diagonal = std::sqrt(squared_diagonal(b));
+      // The node above takes what it knows from the patches below.
+      const double share = &b == &nodes.back() ? 0.05 : 0.02;
+      EXPECT_LT(b.thick_high - b.thick_low, share * diagonal) << &b - nodes.data();
+      EXPECT_LT(b.extent[0], diagonal);
+      EXPECT_LT(b.extent[1], diagonal);
     }
   }
 }

@@ -1,15 +1,13 @@
 // Asks the index whether cells of a window are final: is there a point of the cloud, not yet in the
 // window, in conflict with them?
 //
-// Guarantees: exact. A cell for which nothing is found is a cell of the Delaunay tetrahedralization
-// of the whole cloud; a leaf that is named has a point in conflict, decided by the exact
-// predicates.
-// Thread rule: one window's. Memory: 20 KB a level of the index, about 300 KB.
-// Cost: cells go through the index in packets of 512 that share each node's load; about 2 ns a cell
-// and node.
+// Guarantees: exact. A cell for which nothing is found among all points is a cell of the Delaunay
+// tetrahedralization of the whole cloud; a leaf that is named has a point in conflict, decided by
+// the exact predicates. Thread rule: one window's. Memory: 12 KB a level of the index, about 250
+// KB. Cost: cells go through the index in packets of 512 that share each node's load; about 1 ns a
+// cell and node.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -17,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/windows/half_space_search.h"
+#include "engine/windows/half_space.h"
 #include "engine/windows/index_reader.h"
 #include "engine/windows/present_points.h"
 #include "spatial/ball_list.h"
@@ -44,42 +42,69 @@ class CertificateSearch {
   static constexpr index_layout::LeafNumber kFinal =
       std::numeric_limits<index_layout::LeafNumber>::max();
 
+  /// Held by a search, bytes.
+  static std::uint64_t memory(const CloudIndex& index);
+
   CertificateSearch(const CloudIndex& index, IndexReader& reader);
+
+  /// Among which points conflicts are looked for: those not present, from a leaf on.
+  struct Scope {
+    const PresentPoints& present;
+    index_layout::LeafNumber first_leaf;
+  };
 
   /// For each cell kFinal, or the leaf of a point in conflict with it: one deep inside.
   /// \pre At most kMostCells live cells. \throw IoError
-  void search(const Delaunay& delaunay, const PresentPoints& present, std::span<const CellId> cells,
+  void search(const Delaunay& delaunay, const Scope& scope, std::span<const CellId> cells,
               std::span<index_layout::LeafNumber> conflicts);
 
   /// Since the last call.
   SearchCounts take_counts() { return std::exchange(counts_, {}); }
 
  private:
-  struct Query {
+  /// What is empty if a cell is final.
+  struct BallQuery {
+    std::uint32_t place;  ///< of the cell among those asked about
     CellId cell;
     Circumball ball;
+    Point3 centre;   ///< relative to the origin of the index
     double squared;  ///< radius of the search, shrinks as conflicts are found
     double best;     ///< power of the best conflict so far, 0 before the first
-    index_layout::LeafNumber conflict;
+  };
+  struct HalfSpaceQuery {
+    std::uint32_t place;
+    CellId cell;
+    HalfSpace half_space;
+    double best;  ///< height of the best conflict so far
+  };
+  struct Leaf {
+    index_layout::LeafNumber number;
+    const PointPage& page;
+    std::size_t offset;  ///< of its first point in the page
   };
 
-  void add_query(CellId cell);
+  void add_query(CellId cell, std::uint32_t place);
+  Region region(std::uint32_t id, const ListFrame& frame) const;
   void descend_top(std::size_t level, std::uint64_t node, std::size_t depth);
+  void enter_page(std::uint64_t page, std::size_t depth);
   void descend_page(std::uint64_t page, std::uint32_t node, std::size_t depth);
   bool narrow(const NodeBounds& bounds, const index_layout::LeafRange& leaves, std::size_t depth);
   void search_leaf(index_layout::LeafNumber leaf, const BallList& balls);
-  void look_closer(Query& query, index_layout::LeafNumber leaf, const PointPage& page);
-  void refresh(std::size_t depth);
+  void search_leaf(const Leaf& leaf, BallQuery& query);
+  void search_leaf(const Leaf& leaf, HalfSpaceQuery& query);
 
   const CloudIndex& index_;
   IndexReader& reader_;
-  HalfSpaceSearch half_spaces_;
   const Delaunay* delaunay_ = nullptr;
   const PresentPoints* present_ = nullptr;
-  std::vector<Query> queries_;
+  index_layout::LeafNumber first_leaf_ = 0;
+  std::span<index_layout::LeafNumber> conflicts_;
+  std::vector<BallQuery> balls_;
+  std::vector<HalfSpaceQuery> half_spaces_;
   std::vector<std::unique_ptr<BallList>> lists_;  ///< by depth
-  std::uint64_t conflicts_found_ = 0;
-  std::vector<std::uint64_t> refreshed_;  ///< conflicts_found_ when the list was last right
+  ListFrame top_frame_;
+  ListFrame frame_;  ///< of the lists at work
+  const NodePage* nodes_ = nullptr;
   PointPowers powers_;
   SearchCounts counts_;
 };

@@ -4,14 +4,13 @@
 #include <array>
 #include <ctime>
 
+#include "engine/windows/final_simplices.h"
 #include "spatial/cell_view.h"
 
 namespace stream_recon {
 namespace {
 
 using namespace index_layout;
-
-constexpr std::size_t kCellsSorted = std::size_t{1} << 16;
 
 /// Adds the processor time of this thread.
 class Stopwatch {
@@ -32,6 +31,11 @@ class Stopwatch {
   double began_ = now();
 };
 
+void sort_unique(std::vector<LeafNumber>& leaves) {
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+}
+
 }  // namespace
 
 void WindowCounts::add(const WindowCounts& other) {
@@ -44,7 +48,7 @@ void WindowCounts::add(const WindowCounts& other) {
 
 std::uint64_t CertifiedWindow::fixed_memory(const CloudIndex& index) {
   return IndexReader::kMemory + PresentPoints::memory(index.leaf_count()) +
-         (index.top.size() + 5) * sizeof(BallList) + (std::uint64_t{1} << 20);
+         CertificateSearch::memory(index) + (std::uint64_t{1} << 20);
 }
 
 CertifiedWindow::Outcome CertifiedWindow::build(const OwnedRange& owned,
@@ -74,7 +78,7 @@ void CertifiedWindow::clear() {
   pending_ = {};
   guest_ranks_ = {};
   input_indices_ = {};
-  is_certified_ = {};
+  asked_ = 0;
   counts_ = {};
   search_.take_counts();
 }
@@ -85,7 +89,7 @@ std::uint64_t CertifiedWindow::bytes() const {
 
 std::uint64_t CertifiedWindow::bytes_beside() const {
   return pending_.capacity() * sizeof(Point3) + guest_ranks_.capacity() * sizeof(PointRank) +
-         input_indices_.capacity() * sizeof(std::uint64_t) + is_certified_.capacity() / 8;
+         input_indices_.capacity() * sizeof(std::uint64_t);
 }
 
 void CertifiedWindow::add_owned() {
@@ -135,52 +139,48 @@ bool CertifiedWindow::insert_pending() {
   return bytes() <= memory_bytes_;
 }
 
-// The leaves of conflicts with cells not yet certified, ascending. Cells are asked about in the
-// order of their lowest vertices, so that those of a packet lie close together.
+// The leaves of conflicts with cells not yet asked about, ascending. A cell that has no new vertex
+// was there the last time; had a conflict been found then, it would be gone.
 std::vector<LeafNumber> CertifiedWindow::find_conflicts() {
   const Stopwatch watch(counts_.search_seconds);
-  std::vector<LeafNumber> leaves;
-  std::vector<OpenCell> open;
-  open.reserve(kCellsSorted);
+  const FinalWindow window = view();
   const CellView cells = delaunay_.view();
-  is_certified_.resize(cells.slots());
+  std::vector<LeafNumber> leaves;
+  OpenCells emitted{0, {}};
+  OpenCells others{leaf_of(owned_.first), {}};
   for (CellId cell = 0; cell < cells.slots(); ++cell) {
-    if (is_certified_[cell] || !cells.is_live(cell)) continue;
+    if (!cells.is_live(cell)) continue;
+    const bool is_infinite = cells.is_infinite(cell);
+    if (is_infinite && counts_.rounds == 1) continue;
     const auto v = cells.vertices(cell);
     const VertexId lowest = std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
     if (lowest >= owned_.count) continue;
-    if (counts_.rounds == 1 && cells.is_infinite(cell)) continue;
-    open.push_back({lowest, cell});
-    if (open.size() < kCellsSorted) continue;
-    certify(open, leaves);
-    open.clear();
+    const VertexId newest =
+        std::max(std::max(v[0], v[1]), is_infinite ? v[2] : std::max(v[2], v[3]));
+    const bool is_first = is_infinite && counts_.rounds == 2;
+    if (newest < asked_ && !is_first) continue;
+    OpenCells& open = emits_part(window, v) ? emitted : others;
+    open.cells.push_back(cell);
+    if (open.cells.size() == CertificateSearch::kMostCells) ask(open, leaves);
   }
-  certify(open, leaves);
+  ask(emitted, leaves);
+  ask(others, leaves);
+  asked_ = owned_.count + guest_ranks_.size();
+  sort_unique(leaves);
   counts_.search.add(search_.take_counts());
   return leaves;
 }
 
-void CertifiedWindow::certify(std::span<OpenCell> open, std::vector<LeafNumber>& leaves) {
-  std::sort(open.begin(), open.end());
-  std::array<CellId, CertificateSearch::kMostCells> cells;
+void CertifiedWindow::ask(OpenCells& open, std::vector<LeafNumber>& leaves) {
+  stop_.check();
   std::array<LeafNumber, CertificateSearch::kMostCells> conflicts;
-  while (!open.empty()) {
-    stop_.check();
-    const std::size_t count = std::min(cells.size(), open.size());
-    for (std::size_t i = 0; i < count; ++i) cells[i] = open[i].cell;
-    search_.search(delaunay_, present_, {cells.data(), count}, {conflicts.data(), count});
-    for (std::size_t i = 0; i < count; ++i) {
-      if (conflicts[i] == CertificateSearch::kFinal) {
-        is_certified_[cells[i]] = true;
-      } else {
-        leaves.push_back(conflicts[i]);
-      }
-    }
-    open = open.subspan(count);
+  search_.search(delaunay_, {present_, open.first_leaf}, open.cells, conflicts);
+  for (std::size_t i = 0; i < open.cells.size(); ++i) {
+    if (conflicts[i] != CertificateSearch::kFinal) leaves.push_back(conflicts[i]);
   }
-  // Many cells name the same leaf.
-  std::sort(leaves.begin(), leaves.end());
-  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  open.cells.clear();
+  // Many cells name the same leaf: the list is made short before it grows.
+  if (leaves.capacity() - leaves.size() < CertificateSearch::kMostCells) sort_unique(leaves);
 }
 
 FinalWindow CertifiedWindow::view() const {

@@ -1,9 +1,9 @@
 // One window: the Delaunay tetrahedralization of a stretch of ranks and of as many guests as it
 // takes to prove every star of the stretch final.
 //
-// Guarantees: after build() returned kDone, every cell with an owned vertex is a cell of the
-// Delaunay tetrahedralization of the whole cloud: the certificate search found no point of the
-// cloud in conflict with it. Such a cell is never destroyed again, so it is asked about once.
+// Guarantees: after build() returned kDone, no point of the cloud is in conflict with a cell that
+// the window emits or a facet of which it emits, and no point later on the curve with another cell
+// that has an owned vertex. That is what FinalWindow promises (docs/algorithms/windows.md).
 // Thread rule: one thread. Memory: what build() is told, about 500 bytes an owned point, besides
 // fixed_memory(). Cost: about twice the triangulation of the owned points alone.
 // Source: docs/algorithms/windows.md
@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "engine/interrupt.h"
@@ -62,12 +61,10 @@ class CertifiedWindow {
   std::uint64_t bytes() const;
 
  private:
-  struct OpenCell {
-    VertexId lowest_vertex;
-    CellId cell;
-    friend bool operator<(const OpenCell& a, const OpenCell& b) {
-      return std::tie(a.lowest_vertex, a.cell) < std::tie(b.lowest_vertex, b.cell);
-    }
+  /// Cells to be asked about together, and from which leaf of the cloud on.
+  struct OpenCells {
+    index_layout::LeafNumber first_leaf = 0;
+    std::vector<CellId> cells;
   };
 
   std::uint64_t bytes_beside() const;  ///< besides the Delaunay structure
@@ -77,7 +74,7 @@ class CertifiedWindow {
   void add_first_guests();
   bool insert_pending();
   std::vector<index_layout::LeafNumber> find_conflicts();
-  void certify(std::span<OpenCell> open, std::vector<index_layout::LeafNumber>& leaves);
+  void ask(OpenCells& open, std::vector<index_layout::LeafNumber>& leaves);
 
   const CloudIndex& index_;
   IndexReader& reader_;
@@ -91,7 +88,7 @@ class CertifiedWindow {
   std::vector<Point3> pending_;  ///< to be inserted
   std::vector<PointRank> guest_ranks_;
   std::vector<std::uint64_t> input_indices_;
-  std::vector<bool> is_certified_;  ///< by cell
+  VertexId asked_ = 0;  ///< vertices when cells were last asked about
   WindowCounts counts_;
 };
 

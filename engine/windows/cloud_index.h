@@ -2,8 +2,8 @@
 //
 // Guarantees: the bounds of every node hold all its points, conservatively (spatial/node_bounds.h).
 // Built in one streaming pass; pages lie in the scratch directory, the top stays in memory.
-// Thread rule: const and shared once built. Memory: 24 bytes for 1000 points; on disk 4 bytes a
-// point, 2 when compressed. Source: packed Hilbert R-tree (Kamel, Faloutsos 1994).
+// Thread rule: const and shared once built. Memory: 48 bytes for 1000 points; on disk 8 bytes a
+// point, 6 when compressed. Source: packed Hilbert R-tree (Kamel, Faloutsos 1994).
 #pragma once
 
 #include <array>

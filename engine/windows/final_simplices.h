@@ -29,6 +29,20 @@ bool emits(const FinalWindow& window, const std::array<VertexId, kCorners>& vert
   return window.owns(lowest);
 }
 
+/// Whether the window emits the tetrahedron of these vertices or one of its finite facets. The
+/// other tetrahedra with an owned vertex are for other windows.
+inline bool emits_part(const FinalWindow& window, const std::array<VertexId, 4>& vertices) {
+  int owned = 0;
+  int earlier = 0;
+  for (const VertexId v : vertices) {
+    if (v == Delaunay::kInfinite) continue;
+    owned += window.owns_vertex(v) ? 1 : 0;
+    earlier += !window.owns_vertex(v) && window.rank(v) < window.first_rank() ? 1 : 0;
+  }
+  const bool is_infinite = vertices[3] == Delaunay::kInfinite;
+  return owned > 0 && earlier <= (is_infinite ? 0 : 1);
+}
+
 /// Calls visit(cell) for each finite tetrahedron of the range that the window emits.
 template <class Visit>
 void for_each_final_tetrahedron(const FinalWindow& window, CellRange range, const Visit& visit) {

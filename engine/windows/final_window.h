@@ -1,10 +1,11 @@
-// A stretch of the Hilbert curve whose stars are final, and who looks at it.
+// A stretch of the Hilbert curve whose tetrahedra are final, and who looks at it.
 //
-// Guarantees: every cell with an owned vertex is a cell of the Delaunay tetrahedralization of the
-// whole cloud. Windows own disjoint ranges of ranks that cover the cloud; they share nothing, so a
-// consumer must not care in which order they come. A simplex belongs to the window that owns its
-// vertex of lowest rank (windows/final_simplices.h).
-// Thread rule: a view, const access from many; it does not outlive what it looks at.
+// Guarantees: every tetrahedron and facet whose vertex of lowest rank is owned belongs to the
+// Delaunay tetrahedralization of the whole cloud, and so do the two cells of such a facet; these
+// are what the window emits (windows/final_simplices.h). Other cells, with an owned vertex or
+// without, promise nothing. Windows own disjoint ranges of ranks that cover the cloud; they share
+// nothing, so a consumer must not care in which order they come. Thread rule: a view, const access
+// from many; it does not outlive what it looks at.
 #pragma once
 
 #include <cstdint>
@@ -41,6 +42,9 @@ class FinalWindow {
   std::uint64_t input_index(VertexId v) const { return parts_.input_indices[v]; }
 
   bool owns_vertex(VertexId v) const { return v < parts_.owned_count; }
+
+  /// The lowest rank that is owned.
+  PointRank first_rank() const { return parts_.first_rank; }
 
   bool owns(PointRank rank) const {
     return rank >= parts_.first_rank && rank - parts_.first_rank < parts_.owned_count;

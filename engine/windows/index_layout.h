@@ -3,7 +3,7 @@
 // A packed tree: a leaf is 16 consecutive ranks, a node four consecutive children, so that position
 // says everything and no link is stored. A page holds the tree over 4096 ranks, 341 nodes from its
 // root (0) down to its leaves (85 .. 340), children of node i at 4 i + 1 .. 4 i + 4. The roots of
-// the pages are the lowest level of the top, which stays in memory: 16 bytes for 1000 points.
+// the pages are the lowest level of the top, which stays in memory: 32 bytes for 1000 points.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,41 @@
+// The certificate of an infinite cell: no point of the cloud, not yet in the window, lies beyond
+// its hull facet, nor in the facet's plane inside its circumcircle.
+//
+// Guarantees: as CertificateSearch. Thread rule: a value of one window's.
+// Cost: as a ball; points in the plane of a flat side of the hull cost an exact test each.
+#pragma once
+
+#include <array>
+
+#include "engine/windows/cloud_index.h"
+#include "spatial/ball_list.h"
+
+namespace stream_recon {
+
+class HalfSpace {
+ public:
+  struct Height {
+    double value;
+    double error;
+  };
+
+  /// \param facet as the window's points are, counterclockwise from outside
+  HalfSpace(const std::array<Point3, 3>& facet, const CloudIndex& index);
+
+  /// Of the points at `least` or more, and at less by what rounding may hide.
+  Region at_least(double least, const ListFrame& frame) const;
+
+  /// Over the facet's plane, of a point in the coordinates of the index: so many lengths of the
+  /// normal.
+  Height height(const Point3& scaled_point) const;
+
+ private:
+  Point3 corner_;           ///< of the facet, scaled
+  Point3 corner_relative_;  ///< to the origin of the index
+  Point3 normal_;           ///< outward
+  double normal_length_;
+  double height_error_;  ///< for each unit of a point's distance
+  double reach_;
+};
+
+}  // namespace stream_recon
