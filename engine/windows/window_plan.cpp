@@ -63,8 +63,8 @@ WindowPlan plan_windows(const CloudIndex& index, const WindowStageOptions& optio
   if (windows > 1) windows = quotient_up(windows, plan.threads) * plan.threads;
   points = quotient_up(index.point_count, windows);
   // Whole pages make the index know at once what is in the window.
-  const std::uint64_t step = points >= 4 * kPagePoints ? kPagePoints : kLeafPoints;
-  plan.window_points = quotient_up(points, step) * step;
+  plan.step = points >= 4 * kPagePoints ? kPagePoints : kLeafPoints;
+  plan.window_points = quotient_up(points, plan.step) * plan.step;
   return plan;
 }
 

@@ -23,6 +23,7 @@ struct WindowPlan {
   std::uint64_t fixed_bytes = 0;   ///< each thread's, besides its window
   std::uint64_t window_bytes = 0;  ///< each
   std::uint64_t window_points = 0;
+  std::uint64_t step = 1;  ///< what a window owns is a multiple of this
 };
 
 /// \throw BudgetError the least window does not fit

@@ -31,7 +31,8 @@ class WindowStage {
         caches_(context.scratch, parts.index, plan.cache_bytes),
         progress_(std::move(progress)),
         open_(progress_.open_ranges(parts.index.point_count)),
-        window_points_(plan.window_points) {}
+        window_points_(plan.window_points),
+        left_points_(parts.index.point_count - progress_.done_points()) {}
 
   WindowProgress run() {
     context_.progress.begin_stage("delaunay", parts_.index.point_count, "points");
@@ -61,11 +62,19 @@ class WindowStage {
     const std::lock_guard lock(mutex_);
     if (next_open_ == open_.size()) return {};
     OwnedRange& open = open_[next_open_];
-    const OwnedRange owned{open.first, std::min(window_points_, open.count)};
+    const OwnedRange owned{open.first, std::min(next_size(), open.count)};
+    left_points_ -= owned.count;
     open.first += owned.count;
     open.count -= owned.count;
     if (open.count == 0) ++next_open_;
     return owned;
+  }
+
+  /// As many windows are left for every thread, so that all end at about the same time.
+  std::uint64_t next_size() const {
+    const std::uint64_t rounds = quotient_up(left_points_, window_points_ * plan_.threads);
+    const std::uint64_t evenly = quotient_up(left_points_, rounds * plan_.threads);
+    return std::min(window_points_, quotient_up(evenly, plan_.step) * plan_.step);
   }
 
   void build_and_consume(CertifiedWindow& window, const OwnedRange& owned) {
@@ -144,7 +153,8 @@ class WindowStage {
   WindowProgress progress_;
   std::vector<OwnedRange> open_;
   std::size_t next_open_ = 0;
-  std::uint64_t window_points_;  ///< of the windows to come
+  std::uint64_t window_points_;  ///< of the windows to come, at most
+  std::uint64_t left_points_;    ///< for them
   double cost_seconds_ = 0;
   std::uint64_t cost_points_ = 0;
 };
