@@ -46,7 +46,7 @@ WindowPlan plan_windows(const CloudIndex& index, const WindowStageOptions& optio
   plan.fixed_bytes = fixed;
   const std::uint64_t least = IndexCaches::least_memory(1) + fixed + (std::uint64_t{4} << 20);
   if (available < least) refuse(least, budget);
-  plan.cache_bytes = std::clamp(available / 5, IndexCaches::least_memory(options.threads),
+  plan.cache_bytes = std::clamp(available / 12, IndexCaches::least_memory(options.threads),
                                 std::max(IndexCaches::least_memory(options.threads),
                                          IndexCaches::most_memory(index.point_count)));
   plan.cache_bytes = std::min(plan.cache_bytes, available / 2);

@@ -64,16 +64,18 @@ class WindowStage {
     OwnedRange& open = open_[next_open_];
     const OwnedRange owned{open.first, std::min(next_size(), open.count)};
     left_points_ -= owned.count;
+    ++handed_out_;
     open.first += owned.count;
     open.count -= owned.count;
     if (open.count == 0) ++next_open_;
     return owned;
   }
 
-  /// As many windows are left for every thread, so that all end at about the same time.
+  /// Such that all windows left are of one size and every thread gets as many.
   std::uint64_t next_size() const {
-    const std::uint64_t rounds = quotient_up(left_points_, window_points_ * plan_.threads);
-    const std::uint64_t evenly = quotient_up(left_points_, rounds * plan_.threads);
+    const std::uint64_t needed = handed_out_ + quotient_up(left_points_, window_points_);
+    const std::uint64_t windows = quotient_up(needed, plan_.threads) * plan_.threads - handed_out_;
+    const std::uint64_t evenly = quotient_up(left_points_, windows);
     return std::min(window_points_, quotient_up(evenly, plan_.step) * plan_.step);
   }
 
@@ -126,7 +128,7 @@ class WindowStage {
       // Those to come are likely to outgrow it as well, and a split costs a window; but a few large
       // stars must not make all of them small.
       if (owned.count >= window_points_) {
-        const std::uint64_t fewer = std::max(owned.count * 3 / 4, plan_.window_points / 2);
+        const std::uint64_t fewer = std::max(owned.count * 7 / 8, plan_.window_points / 2);
         window_points_ = quotient_up(fewer, kLeafPoints) * kLeafPoints;
       }
     }
@@ -155,6 +157,7 @@ class WindowStage {
   std::size_t next_open_ = 0;
   std::uint64_t window_points_;  ///< of the windows to come, at most
   std::uint64_t left_points_;    ///< for them
+  std::uint64_t handed_out_ = 0;
   double cost_seconds_ = 0;
   std::uint64_t cost_points_ = 0;
 };
