@@ -105,7 +105,8 @@ void ScratchDirectory::remove(const std::string& name) {
 std::vector<std::string> scratch_folders(const std::string& parent) {
   std::vector<std::string> folders;
   for (const std::string& name : list_folder(parent)) {
-    if (is_temporary_name_beside(name, kFolderName)) folders.push_back(parent + "/" + name);
+    if (!is_temporary_name_beside(name, kFolderName)) continue;
+    folders.push_back(std::filesystem::path(parent) / name);
   }
   return folders;
 }

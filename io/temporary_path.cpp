@@ -109,12 +109,12 @@ bool is_temporary_name_beside(std::string_view name, std::string_view base) {
 void remove_left_beside(const std::string& path, const std::string& of_process) noexcept {
   try {
     const std::string own = of_process.substr(of_process.size() - kDigits, kProcessDigits);
-    const std::string folder = parent_folder(path);
+    const std::filesystem::path folder = parent_folder(path);
     const std::string base = std::filesystem::path(path).filename().string();
-    for (const std::string& name : list_folder(folder)) {
+    for (const std::string& name : list_folder(folder.string())) {
       if (!is_temporary_name_beside(name, base)) continue;
       if (name.compare(base.size() + kMark.size(), kProcessDigits, own) != 0) continue;
-      const std::string left = folder + "/" + name;
+      const std::string left = folder / name;
       remove_entry(left,
                    is_folder(left) ? TemporaryPath::Kind::kFolder : TemporaryPath::Kind::kFile);
     }

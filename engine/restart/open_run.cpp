@@ -64,7 +64,8 @@ class RunOpener {
 
  private:
   OpenedRun begin() const {
-    OpenedRun opened{std::make_unique<ScratchDirectory>(scratch_options_), {}};
+    OpenedRun opened;
+    opened.scratch = std::make_unique<ScratchDirectory>(scratch_options_);
     opened.manifest.identity = identity_;
     return opened;
   }
@@ -137,8 +138,9 @@ class RunOpener {
 
   OpenedRun go_on(DeadRun run) const {
     remove_left_outputs(run.scratch.path);
-    OpenedRun opened{std::make_unique<ScratchDirectory>(std::move(run.scratch), scratch_options_),
-                     std::move(run.manifest)};
+    OpenedRun opened;
+    opened.scratch = std::make_unique<ScratchDirectory>(std::move(run.scratch), scratch_options_);
+    opened.manifest = std::move(run.manifest);
     const std::string redone = keep_intact_artefacts(opened.manifest, *opened.scratch);
     if (!redone.empty()) {
       options_.say(

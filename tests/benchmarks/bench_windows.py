@@ -1,21 +1,20 @@
 #!/usr/bin/env python3
 """Runs stream-recon from file to chunked VTK in little memory against CGAL's Delaunay alone.
 
-    compare_windows.py BIN [POINTS] [ROUNDS] [MEMORY]
+    bench-windows [--points N] [--rounds N] [--memory SIZE] [--clouds KIND...]
 
-CGAL holds the whole structure in memory and writes nothing. The two take turns, so that other work
+It runs the programs that lie beside it, in the folder of the build. CGAL holds the whole structure in memory and writes nothing. The two take turns, so that other work
 on the machine meets both; a line gives the medians of the rounds. The exit code is 1 if the two ever
 differ in a tetrahedron or a run exceeds its memory.
 """
 
+import argparse
 import json
 import pathlib
 import statistics
 import subprocess
 import sys
 import tempfile
-
-CLOUDS = ["cube", "folded", "shell", "blob"]
 
 
 def run_windows(binaries, cloud, memory):
@@ -52,20 +51,27 @@ def compare(binaries, cloud, rounds, memory):
     return same and kept
 
 
-def main(binaries, points="2000000", rounds="3", memory="256M"):
+def main():
+    parser = argparse.ArgumentParser(prog="bench-windows")
+    parser.add_argument("--points", type=int, default=2_000_000)
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--memory", default="256M")
+    parser.add_argument("--clouds", nargs="+", default=["cube", "folded", "shell", "blob"])
+    options = parser.parse_args()
+    binaries = pathlib.Path(__file__).resolve().parent
     print(
         "cloud     ours s  CGAL s  ratio   MiB  windows  guests  rounds  queries  visits"
         "  search/insert  same tetrahedra"
     )
     good = True
     with tempfile.TemporaryDirectory() as folder:
-        for kind in CLOUDS:
+        for kind in options.clouds:
             cloud = pathlib.Path(folder) / f"{kind}.ply"
-            make = [pathlib.Path(binaries) / "make-cloud", kind, "-n", points, "-o", cloud]
+            make = [binaries / "make-cloud", kind, "-n", str(options.points), "-o", cloud]
             subprocess.run(make, check=True, stderr=subprocess.DEVNULL)
-            good &= compare(pathlib.Path(binaries), cloud, int(rounds), memory)
+            good &= compare(binaries, cloud, options.rounds, options.memory)
     return 0 if good else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main())
