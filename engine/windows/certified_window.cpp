@@ -61,9 +61,9 @@ CertifiedWindow::Outcome CertifiedWindow::build(const OwnedRange& owned,
   add_first_guests();
   for (;;) {
     ++counts_.rounds;
-    stop_.check();
+    breathe();
     if (!insert_pending()) return Outcome::kOutgrown;
-    stop_.check();
+    breathe();
     const std::vector<LeafNumber> leaves = find_conflicts();
     if (leaves.empty() && counts_.rounds > 1) break;
     for (const LeafNumber leaf : leaves) add_leaf(leaf);
@@ -172,7 +172,7 @@ std::vector<LeafNumber> CertifiedWindow::find_conflicts() {
 }
 
 void CertifiedWindow::ask(OpenCells& open, std::vector<LeafNumber>& leaves) {
-  stop_.check();
+  breathe();
   std::array<LeafNumber, CertificateSearch::kMostCells> conflicts;
   search_.search(delaunay_, {present_, open.first_leaf}, open.cells, conflicts);
   for (std::size_t i = 0; i < open.cells.size(); ++i) {

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/interrupt.h"
+#include "engine/stage_context.h"
 #include "engine/windows/certificate_search.h"
 #include "engine/windows/final_window.h"
 #include "engine/windows/guest_sample.h"
@@ -40,10 +40,10 @@ class CertifiedWindow {
   /// What a window holds whatever its size, bytes.
   static std::uint64_t fixed_memory(const CloudIndex& index);
 
-  CertifiedWindow(const CloudIndex& index, IndexReader& reader, const StopRequest& stop)
+  CertifiedWindow(const CloudIndex& index, IndexReader& reader, const StageContext& context)
       : index_(index),
         reader_(reader),
-        stop_(stop),
+        context_(context),
         present_(index.leaf_count()),
         search_(index, reader) {}
 
@@ -67,6 +67,11 @@ class CertifiedWindow {
     std::vector<CellId> cells;
   };
 
+  /// Lets the run be stopped, and its progress be shown, in the midst of a window.
+  void breathe() const {
+    context_.stop.check();
+    context_.progress.advance(0);
+  }
   std::uint64_t bytes_beside() const;  ///< besides the Delaunay structure
   void add_owned();
   void add_guest(PointRank rank);
@@ -78,7 +83,7 @@ class CertifiedWindow {
 
   const CloudIndex& index_;
   IndexReader& reader_;
-  const StopRequest& stop_;
+  const StageContext& context_;
   PresentPoints present_;
   CertificateSearch search_;
 

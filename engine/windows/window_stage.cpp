@@ -50,7 +50,7 @@ class WindowStage {
   /// One worker: windows in the order of the curve until none is left.
   void work() {
     IndexReader reader(caches_);
-    CertifiedWindow window(parts_.index, reader, context_.stop);
+    CertifiedWindow window(parts_.index, reader, context_);
     for (;;) {
       const OwnedRange owned = next_range();
       if (owned.count == 0) return;
