@@ -58,6 +58,15 @@ struct CoordinateRange {
     return 1.0;
   }
 
+  /// Of the coordinates times a power of two. \pre power > 0
+  CoordinateRange times(double power) const {
+    CoordinateRange result = *this;
+    if (empty()) return result;
+    result.unit_exponent += std::ilogb(power);
+    result.magnitude_exponent += std::ilogb(power);
+    return result;
+  }
+
   /// Whether the predicates are exact for coordinates as they are.
   bool is_safe() const { return scale() == 1.0; }
 

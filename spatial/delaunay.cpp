@@ -77,12 +77,7 @@ bool Delaunay::Impl::append(std::span<const Point3> added) {
 }
 
 Predicates Delaunay::Impl::predicates() const {
-  CoordinateRange scaled = range;
-  if (!scaled.empty()) {
-    scaled.unit_exponent += std::ilogb(scale);
-    scaled.magnitude_exponent += std::ilogb(scale);
-  }
-  return Predicates(scaled);
+  return Predicates(range.times(scale));
 }
 
 // Inserts all vertices from `first` on but those of the first simplex; false if memory ran out.

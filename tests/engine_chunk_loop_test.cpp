@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/budget.h"
-#include "engine/surface/chunk_loop.h"
+#include "engine/chunks/chunk_loop.h"
 
 namespace stream_recon {
 namespace {

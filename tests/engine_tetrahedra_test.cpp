@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/chunks/chunk_vertices.h"
 #include "engine/order/point_store.h"
-#include "engine/surface/chunk_vertices.h"
 #include "engine/tetrahedra/tetrahedra_assembly.h"
 #include "engine/tetrahedra/tetrahedra_collector.h"
 #include "engine/windows/export_writer.h"

@@ -3,8 +3,8 @@
 #include <mutex>
 #include <optional>
 
-#include "engine/surface/chunk_loop.h"
-#include "engine/surface/chunk_numbers.h"
+#include "engine/chunks/chunk_loop.h"
+#include "engine/chunks/chunk_numbers.h"
 #include "engine/surface/chunk_surface.h"
 #include "engine/surface/vertex_numbering.h"
 

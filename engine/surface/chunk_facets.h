@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/surface/chunk_vertices.h"
+#include "engine/chunks/chunk_vertices.h"
 #include "engine/surface/edge_uses.h"
 #include "engine/surface/facet_record.h"
 

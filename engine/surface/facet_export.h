@@ -8,7 +8,7 @@
 #include <span>
 #include <tuple>
 
-#include "engine/surface/chunk_layout.h"
+#include "engine/chunks/chunk_layout.h"
 #include "engine/surface/edge_census.h"
 #include "engine/surface/facet_record.h"
 #include "engine/windows/export_reader.h"

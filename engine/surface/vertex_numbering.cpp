@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/chunks/chunk_loop.h"
 #include "engine/surface/chunk_facets.h"
-#include "engine/surface/chunk_loop.h"
 
 namespace stream_recon {
 namespace {

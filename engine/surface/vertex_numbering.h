@@ -14,8 +14,8 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/chunks/chunk_spool.h"
 #include "engine/stage_context.h"
-#include "engine/surface/chunk_spool.h"
 #include "engine/surface/facet_export.h"
 
 namespace stream_recon {

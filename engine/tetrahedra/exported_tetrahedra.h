@@ -3,7 +3,7 @@
 // Thread rule: const access from many. Memory: the reader's.
 #pragma once
 
-#include "engine/surface/chunk_layout.h"
+#include "engine/chunks/chunk_layout.h"
 #include "engine/tetrahedra/tetrahedron_record.h"
 #include "engine/windows/export_reader.h"
 

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "engine/chunks/chunk_loop.h"
+#include "engine/chunks/chunk_numbers.h"
+#include "engine/chunks/chunk_vertices.h"
 #include "engine/order/point_store.h"
 #include "engine/surface/buckets.h"
-#include "engine/surface/chunk_loop.h"
-#include "engine/surface/chunk_numbers.h"
-#include "engine/surface/chunk_vertices.h"
 
 namespace stream_recon {
 namespace {

@@ -4,8 +4,8 @@
 // Memory: none.
 #pragma once
 
+#include "engine/chunks/chunk_layout.h"
 #include "engine/interrupt.h"
-#include "engine/surface/chunk_layout.h"
 #include "engine/windows/final_window.h"
 
 namespace stream_recon {

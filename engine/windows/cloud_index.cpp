@@ -61,7 +61,7 @@ double scale_of(const CoordinateRange& range) {
 class SimplexFinder {
  public:
   explicit SimplexFinder(const CoordinateRange& range)
-      : scale_(range.scale().value()), exact_(scaled(range, scale_)) {}
+      : scale_(range.scale().value()), exact_(range.times(scale_)) {}
 
   int dimension() const { return dimension_; }
   const std::array<PointRank, 4>& ranks() const { return ranks_; }
@@ -76,13 +76,6 @@ class SimplexFinder {
   }
 
  private:
-  static CoordinateRange scaled(CoordinateRange range, double scale) {
-    if (range.empty()) return range;
-    range.unit_exponent += std::ilogb(scale);
-    range.magnitude_exponent += std::ilogb(scale);
-    return range;
-  }
-
   double scale_;
   Predicates exact_;
   int dimension_ = -1;

@@ -1,4 +1,4 @@
-#include "engine/surface/chunk_vertices.h"
+#include "engine/chunks/chunk_vertices.h"
 
 #include <algorithm>
 
