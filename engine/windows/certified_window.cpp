@@ -12,6 +12,10 @@ namespace {
 
 using namespace index_layout;
 
+/// Of how many finite cells the first round asks about one. Most that are in conflict then die of
+/// what their neighbours name; what is left is asked about in the second.
+constexpr CellId kFirstRoundShare = 8;
+
 /// Adds the processor time of this thread.
 class Stopwatch {
  public:
@@ -151,14 +155,15 @@ std::vector<LeafNumber> CertifiedWindow::find_conflicts() {
   for (CellId cell = 0; cell < cells.slots(); ++cell) {
     if (!cells.is_live(cell)) continue;
     const bool is_infinite = cells.is_infinite(cell);
-    if (is_infinite && counts_.rounds == 1) continue;
+    const bool waits = is_infinite || cell % kFirstRoundShare != 0;
+    if (waits && counts_.rounds == 1) continue;
     const auto v = cells.vertices(cell);
     const VertexId lowest = std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
     if (lowest >= owned_.count) continue;
     const VertexId newest =
         std::max(std::max(v[0], v[1]), is_infinite ? v[2] : std::max(v[2], v[3]));
-    const bool is_first = is_infinite && counts_.rounds == 2;
-    if (newest < asked_ && !is_first) continue;
+    const bool has_waited = waits && counts_.rounds == 2;
+    if (newest < asked_ && !has_waited) continue;
     OpenCells& open = emits_part(window, v) ? emitted : others;
     open.cells.push_back(cell);
     if (open.cells.size() == CertificateSearch::kMostCells) ask(open, leaves);

@@ -14,9 +14,9 @@ namespace stream_recon {
 
 struct GuestSampleOptions {
   /// Leaves nearer to the owned points than this many of their own diagonals come whole.
-  double halo = 1;
+  double halo = 0.5;
   /// Nodes farther than this many of their own diagonals give one point.
-  double far = 2;
+  double far = 1.5;
 };
 
 struct GuestSample {
