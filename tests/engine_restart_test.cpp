@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -285,6 +286,48 @@ TEST_F(Restart, OfARunThatIsAliveIsRefused) {
     options.resume = resume;
     EXPECT_THAT(refusal<IoError>(options), HasSubstr("is under way in"));
   }
+}
+
+RunOptions options_without_files(const TestFolder& folder) {
+  RunOptions options = options_in(folder);
+  options.resume = false;
+  options.surface = SurfaceKind::kNone;
+  options.tetrahedra.clear();
+  options.scratch = folder.path();
+  return options;
+}
+
+/// Fails as soon as something would be kept.
+void leave_dead_run(const RunOptions& options) {
+  for (std::uint64_t call = 0; scratch_folders(options.scratch).empty(); ++call) {
+    const ScopedFault fault({.operations = kWrite, .fail_at = call, .error = EIO, .stays = true});
+    ASSERT_THROW((void)reconstruct(options), IoError);
+  }
+}
+
+TEST_F(Restart, OfARunWithoutFilesMindsNoOtherThatIsAlive) {
+  RunOptions options = options_without_files(folder_);
+  leave_dead_run(options);
+  const auto alive = FolderLock::try_take(scratch());
+  ASSERT_TRUE(alive.has_value());
+  std::vector<std::string> notices;
+  options.on_notice = [&](const std::string& notice) { notices.push_back(notice); };
+  (void)reconstruct(options);
+  EXPECT_THAT(notices, testing::IsEmpty());
+}
+
+TEST_F(Restart, OfADeadRunWithoutFilesIsOfferedAndNotRemoved) {
+  RunOptions options = options_without_files(folder_);
+  leave_dead_run(options);
+  const std::string dead = scratch();
+  std::vector<std::string> notices;
+  options.on_notice = [&](const std::string& notice) { notices.push_back(notice); };
+  (void)reconstruct(options);
+  EXPECT_THAT(notices, testing::ElementsAre(HasSubstr("go on with --resume, or remove it")));
+  EXPECT_TRUE(path_exists(dead));
+  options.resume = true;
+  (void)reconstruct(options);
+  EXPECT_EQ(scratch(), "");
 }
 
 TEST_F(Restart, WithNothingToResumeBeginsAndSaysSo) {

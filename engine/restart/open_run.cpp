@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -27,11 +28,20 @@ struct DeadRun {
   Manifest manifest;
 };
 
-std::string read_text(const std::string& path) {
-  File file = File::open(path);
-  std::string text(file.size(), '\0');
-  text.resize(file.read(std::as_writable_bytes(std::span(text))));
-  return text;
+std::string manifest_path(const std::string& scratch) {
+  return scratch + "/" + kManifest;
+}
+
+/// Nothing if it is damaged, or gone in the meantime.
+std::optional<Manifest> manifest_in(const std::string& scratch) {
+  try {
+    File file = File::open(manifest_path(scratch));
+    std::string text(file.size(), '\0');
+    text.resize(file.read(std::as_writable_bytes(std::span(text))));
+    return manifest_from_text(text);
+  } catch (const IoError&) {
+    return std::nullopt;
+  }
 }
 
 class RunOpener {
@@ -75,36 +85,43 @@ class RunOpener {
     std::vector<DeadRun> dead;
     for (const std::string& path : scratch_folders(scratch_options_.parent)) {
       auto lock = FolderLock::try_take(path);
-      const std::string manifest_path = path + "/" + kManifest;
-      if (!path_exists(manifest_path)) {
-        if (lock) remove_folder(path.c_str());
+      if (!lock && writes_files(identity_) && is_ours(manifest_in(path))) lock = wait_for_end(path);
+      if (!lock) continue;
+      if (!path_exists(manifest_path(path))) {
+        remove_folder(path.c_str());
         continue;
       }
-      auto manifest = manifest_from_text(read_text(manifest_path));
-      if (manifest && have_same_outputs(manifest->identity, identity_)) {
-        if (!lock) lock = wait_for_end(path);
-        dead.push_back({{path, std::move(*lock)}, std::move(*manifest)});
-      } else if (!manifest && lock) {
+      auto manifest = manifest_in(path);
+      if (!manifest) {
         options_.say(
             fmt::format("{} is damaged or of another version and left alone; remove it "
                         "unless that version is to go on with it",
                         path));
+      } else if (is_ours(manifest)) {
+        dead.push_back({{path, std::move(*lock)}, std::move(*manifest)});
       }
     }
     return dead;
   }
 
-  /// A process that was killed lives on until its memory is given back.
-  static FolderLock wait_for_end(const std::string& path) {
+  bool is_ours(const std::optional<Manifest>& manifest) const {
+    return manifest && have_same_outputs(manifest->identity, identity_);
+  }
+
+  /// A process that was killed lives on until its memory is given back. Nothing if it ended well.
+  static std::optional<FolderLock> wait_for_end(const std::string& path) {
     const auto deadline = std::chrono::steady_clock::now() + kGrace;
-    while (std::chrono::steady_clock::now() < deadline) {
+    while (path_exists(path)) {
+      if (auto lock = FolderLock::try_take(path)) return lock;
+      if (std::chrono::steady_clock::now() > deadline) {
+        throw IoError(
+            fmt::format("another run that writes the same output is under way in {}; wait for its "
+                        "end, or give another output",
+                        path));
+      }
       std::this_thread::sleep_for(kPoll);
-      if (auto lock = FolderLock::try_take(path)) return std::move(*lock);
     }
-    throw IoError(
-        fmt::format("another run that writes the same output is under way in {}; wait for its end, "
-                    "or give another output",
-                    path));
+    return std::nullopt;
   }
 
   void require_same(const Manifest& manifest) const {
@@ -120,20 +137,26 @@ class RunOpener {
     for (const std::string& output : {options_.output, options_.tetrahedra}) {
       if (output.empty() || output == "-") continue;
       remove_left_beside(output, scratch_path);
-      const std::string::size_type ending = output.size() - 5;  // of .pvtp, .pvtu
-      if (output.size() > 5) remove_left_beside(output.substr(0, ending), scratch_path);
+      if (!output.ends_with(".pvtp") && !output.ends_with(".pvtu")) continue;
+      remove_left_beside(std::filesystem::path(output).replace_extension(), scratch_path);
     }
   }
 
   void remove(const DeadRun& run) const {
-    remove_left_outputs(run.scratch.path);
-    remove_file((run.scratch.path + "/" + kManifest).c_str());
-    remove_folder(run.scratch.path.c_str());
+    const std::string& path = run.scratch.path;
+    if (!writes_files(identity_) && run.manifest.order) {
+      options_.say(
+          fmt::format("an unfinished run lies in {}: go on with --resume, or remove it", path));
+      return;
+    }
+    remove_left_outputs(path);
+    remove_file(manifest_path(path).c_str());
+    remove_folder(path.c_str());
     if (!run.manifest.order) return;
     options_.say(
         fmt::format("removed what an unfinished run had left in {}; with --resume it would "
                     "have gone on",
-                    run.scratch.path));
+                    path));
   }
 
   OpenedRun go_on(DeadRun run) const {

@@ -1,8 +1,9 @@
 // Where a run begins: in a scratch directory of its own, or in that of a run that was killed.
 //
 // Guarantees: a run goes on only from a run of the same identity and only from artefacts whose
-// every block is intact; the rest is done again. What dead runs of the same outputs have left,
-// beside the outputs too, is removed. Two live runs never write the same outputs.
+// every block is intact; the rest is done again. What dead runs of the same output files have left,
+// beside the files too, is removed; of runs without such files only what cannot be resumed, since
+// it may be another pipe's. Two live runs never write the same files.
 // Thread rule: one thread. Memory: a few blocks. Cost: one pass over what is resumed.
 #pragma once
 

@@ -51,6 +51,11 @@ std::string describe_input(const std::string& path) {
                      sample_checksum(path, size));
 }
 
+std::string value_of(const RunIdentity& identity, const char* key) {
+  const auto at = identity.find(key);
+  return at == identity.end() ? "" : at->second;
+}
+
 }  // namespace
 
 RunIdentity identity_of(const RunOptions& options) {
@@ -73,17 +78,16 @@ RunIdentity identity_of(const RunOptions& options) {
   return identity;
 }
 
+bool writes_files(const RunIdentity& identity) {
+  const std::string output = value_of(identity, "output");
+  return (!output.empty() && output != "-") || !value_of(identity, "--tetrahedra").empty();
+}
+
 bool have_same_outputs(const RunIdentity& a, const RunIdentity& b) {
-  const auto value = [](const RunIdentity& identity, const char* key) {
-    const auto at = identity.find(key);
-    return at == identity.end() ? std::string() : at->second;
-  };
   for (const char* key : {"output", "--tetrahedra"}) {
-    if (value(a, key) != value(b, key)) return false;
+    if (value_of(a, key) != value_of(b, key)) return false;
   }
-  const std::string output = value(a, "output");
-  const bool has_file = (!output.empty() && output != "-") || !value(a, "--tetrahedra").empty();
-  return has_file || value(a, "input 1") == value(b, "input 1");
+  return writes_files(a) || value_of(a, "input 1") == value_of(b, "input 1");
 }
 
 std::optional<std::string> difference(const RunIdentity& before, const RunIdentity& now) {

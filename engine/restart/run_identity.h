@@ -16,6 +16,9 @@ namespace stream_recon {
 /// \throw IoError an input file cannot be read
 RunIdentity identity_of(const RunOptions& options);
 
+/// Whether the run has an output with a name: two such runs must not write the same at once.
+bool writes_files(const RunIdentity& identity);
+
 /// Whether both write the same outputs; a run that writes to no file is known by its inputs.
 bool have_same_outputs(const RunIdentity& a, const RunIdentity& b);
 
