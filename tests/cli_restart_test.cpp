@@ -40,7 +40,8 @@ class CliRestart : public testing::Test {
     EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
     EXPECT_EQ(resumed.error, "");
     EXPECT_TRUE(folder_.bytes("out.ply") == folder_.bytes("fine/out.ply"));
-    for (const auto& stage : folder_.json("r.json").at("stages")) {
+    const nlohmann::json report = folder_.json("r.json");
+    for (const auto& stage : report.at("stages")) {
       EXPECT_NE(stage.at("name"), "ingest");
       EXPECT_NE(stage.at("name"), "order");
     }
