@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,24 @@ TEST(Results, AreTheSameBytesForEveryBudgetAndThreadCount) {
       }
     }
   }
+}
+
+TEST(Results, ProgressNamesEveryStageAndNeverPassesItsTotal) {
+  const CommandFolder folder;
+  const Outcome outcome = folder.run(
+      "make-cloud folded -n 20000 -o cloud.ply 2>/dev/null; stream-recon cloud.ply "
+      "-o out.pvtp --tetrahedra t.pvtu --chunk-points 3000 --progress json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  std::vector<std::string> stages;
+  std::istringstream lines(outcome.error);
+  for (std::string line; std::getline(lines, line);) {
+    const auto json = nlohmann::json::parse(line);
+    if (!json.contains("stage")) continue;
+    if (stages.empty() || stages.back() != json.at("stage")) stages.push_back(json.at("stage"));
+    EXPECT_LE(json.at("done"), json.at("total")) << line;
+  }
+  EXPECT_EQ(stages, (std::vector<std::string>{"ingest", "order", "index", "delaunay", "surface",
+                                              "tetrahedra"}));
 }
 
 TEST(Results, CountsDoNotDependOnTheChunks) {

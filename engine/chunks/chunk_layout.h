@@ -23,6 +23,7 @@ struct ChunkLayout {
   PointRank end_rank(std::uint64_t chunk) const {
     return std::min(first_rank(chunk) + points_per_chunk, point_count);
   }
+  std::uint64_t points_in(std::uint64_t chunk) const { return end_rank(chunk) - first_rank(chunk); }
 };
 
 }  // namespace stream_recon

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/budget.h"
+#include "engine/chunks/chunk_records.h"
 #include "engine/scratch_records.h"
 #include "io/scratch_directory.h"
 
@@ -115,12 +116,7 @@ class ChunkSpool {
 
   /// The caller reserves count() records. \pre finish() \throw IoError, BudgetError
   std::vector<Record> records(std::uint64_t chunk) const {
-    std::vector<Record> records;
-    records.reserve(count(chunk));
-    visit(chunk, [&records](std::span<const Record> part) {
-      records.insert(records.end(), part.begin(), part.end());
-    });
-    return records;
+    return gather_records<Record>(*this, chunk);
   }
 
  private:

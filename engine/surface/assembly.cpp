@@ -24,6 +24,7 @@ class SurfaceAssembly {
     std::optional<VertexNumbering> numbering;
     if (is_ordered) numbering.emplace(surface_, context_);
     const ChunkSurfaceMaker maker(surface_, numbering ? &*numbering : nullptr, context_);
+    context_.progress.begin_stage("surface", surface_.layout().point_count, "points");
     const std::uint64_t bytes = ChunkSurfaceMaker::typical_memory(numbers_.most_records());
     for_each_chunk(
         {.chunks = surface_.layout().chunk_count(),
@@ -31,6 +32,7 @@ class SurfaceAssembly {
          .takes_in_order = is_ordered},
         [&maker](std::uint64_t chunk) { return maker.make(chunk); },
         [this](std::uint64_t chunk, ChunkSurface made) { take(chunk, made); });
+    context_.progress.end_stage();
     return counts_;
   }
 
@@ -40,9 +42,8 @@ class SurfaceAssembly {
       const std::lock_guard lock(mutex_);
       counts_.merge(made.counts);
     }
-    if (made.counts.triangles == 0) return;
-    writer_.write(numbers_.number(chunk), made.chunk);
-    context_.progress.advance(made.counts.triangles);
+    if (made.counts.triangles != 0) writer_.write(numbers_.number(chunk), made.chunk);
+    context_.progress.advance(surface_.layout().points_in(chunk));
   }
 
   const ExportedFacets& surface_;

@@ -51,7 +51,8 @@ class TetrahedraAssembly {
   void run() {
     const ChunkLayout& layout = tetrahedra_.layout;
     context_.progress.begin_stage("tetrahedra", layout.point_count, "points");
-    const std::uint64_t bytes = numbers_.most_records() * kTypicalBytes + kFixedBytes + (1 << 20);
+    const std::uint64_t bytes =
+        numbers_.most_records() * kTypicalBytes + kFixedBytes + ExportReader::read_memory();
     for_each_chunk(
         {.chunks = layout.chunk_count(), .at_once = chunks_at_once(bytes, context_.budget)},
         [this](std::uint64_t chunk) { return make(chunk); },
@@ -61,9 +62,8 @@ class TetrahedraAssembly {
 
  private:
   void take(std::uint64_t chunk, const ChunkTetrahedra& made) {
-    const ChunkLayout& layout = tetrahedra_.layout;
     if (!made.chunk.tetrahedra.empty()) writer_.write(numbers_.number(chunk), made.chunk);
-    context_.progress.advance(layout.end_rank(chunk) - layout.first_rank(chunk));
+    context_.progress.advance(tetrahedra_.layout.points_in(chunk));
   }
 
   ChunkTetrahedra make(std::uint64_t chunk) const {
