@@ -26,10 +26,11 @@ class CliRestart : public testing::Test {
 
   /// Runs until progress shows the first finished window, then signals. \param input redirections
   Outcome stop(const std::string& signal, const std::string& input) const {
-    // A shell's background jobs ignore SIGINT unless told otherwise.
-    return folder_.run("env --default-signal=INT stream-recon " + input + kOptions +
+    // A shell's background jobs ignore SIGINT unless told otherwise. What an earlier run said must
+    // be gone before this one is waited for.
+    return folder_.run("rm -f progress; env --default-signal=INT stream-recon " + input + kOptions +
                        "-o out.ply --progress json 2>progress & run=$!\n"
-                       "until grep -q 'delaunay\",\"done\":[1-9]' progress; do sleep 0.02; done\n"
+                       "until grep -qs 'delaunay\",\"done\":[1-9]' progress; do sleep 0.02; done\n"
                        "kill -" +
                        signal + " $run; wait $run");
   }
