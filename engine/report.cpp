@@ -17,7 +17,7 @@ std::string to_json(const Report& report) {
                       {"bytes_read", stage.bytes_read},
                       {"bytes_written", stage.bytes_written}});
   }
-  const Json json{
+  Json json{
       {"version", report.version},
       {"input",
        {{"points", report.input.points},
@@ -49,6 +49,7 @@ std::string to_json(const Report& report) {
       {"threads", report.threads},
       {"memory_budget_bytes", report.memory_budget_bytes},
   };
+  if (report.input.spacing) json["input"]["spacing"] = *report.input.spacing;
   return json.dump(2) + "\n";
 }
 

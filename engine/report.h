@@ -4,7 +4,9 @@
 // Thread rule: a value.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct Report {
     std::uint64_t points = 0;      ///< as delivered, duplicates and rejected ones included
     std::uint64_t duplicates = 0;  ///< merged into a point of lower index
     std::uint64_t rejected = 0;    ///< not finite
+    /// Of the grid the points were sampled on, where an input says it.
+    std::optional<std::array<double, 3>> spacing;
   } input;
   struct {
     std::uint64_t tetrahedra = 0;  ///< finite ones

@@ -18,7 +18,8 @@ target_compile_definitions(engine_restart_test PRIVATE
 
 if(STREAM_RECON_TOOLS)
   stream_recon_test(cli_test
-    SOURCES cli_errors_test.cpp cli_restart_test.cpp cli_results_test.cpp cli_tetrahedra_test.cpp
+    SOURCES cli_errors_test.cpp cli_pipe_test.cpp cli_restart_test.cpp cli_results_test.cpp
+      cli_tetrahedra_test.cpp
     LIBRARIES stream_recon::io GTest::gmock)
   add_dependencies(cli_test stream-recon make-cloud)
   target_compile_definitions(cli_test PRIVATE
