@@ -16,8 +16,6 @@
 namespace stream_recon {
 namespace {
 
-// In the order of InputFormat.
-
 constexpr std::uint64_t kSample = std::uint64_t{64} << 10;
 
 std::string absolute_path(const std::string& path) {
