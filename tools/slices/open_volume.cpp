@@ -1,0 +1,14 @@
+#include "tools/slices/open_volume.h"
+
+#include <stdexcept>
+
+#include "tools/slices/itk_volume.h"
+
+namespace stream_recon {
+
+std::unique_ptr<Volume> open_volume(const VolumeRequest& request) {
+  if (request.paths.empty()) throw std::invalid_argument("no volume is named; name a file");
+  return open_itk_volume(request.paths.front());
+}
+
+}  // namespace stream_recon
