@@ -1,0 +1,53 @@
+#include "tools/sampling/object_scan.h"
+
+#include "tools/sampling/boundary_voxel_scan.h"
+#include "tools/sampling/iso_scan.h"
+#include "tools/sampling/smoothed_mask.h"
+
+namespace stream_recon {
+namespace {
+
+constexpr double kBoundary = 0.5;
+
+bool is_smoothed(const ObjectScanOptions& options) {
+  return options.kind == PointKind::kSmoothedBoundary && options.sigma > 0;
+}
+
+/// Moves positions in the padded box to positions in the grid.
+CellConsumer in_grid(const GridBox& box, const CellConsumer& consume) {
+  const Point3 corner{static_cast<double>(box.low[0]) - 1, static_cast<double>(box.low[1]) - 1,
+                      static_cast<double>(box.low[2]) - 1};
+  return [corner, consume](const Point3& cell) {
+    consume({corner.x + cell.x, corner.y + cell.y, corner.z + cell.z});
+  };
+}
+
+}  // namespace
+
+std::size_t slices_around(const ObjectScanOptions& options) {
+  return 1 + (is_smoothed(options) ? blur_radius(options.sigma) : 0);
+}
+
+ObjectScan::ObjectScan(Grid& grid, const VoxelSelection& selection,
+                       const ObjectScanOptions& options, const CellConsumer& consume)
+    : mask_(grid, selection, options.box, slices_around(options) + 2) {
+  if (options.kind == PointKind::kBoundaryVoxels) {
+    scan_ = std::make_unique<BoundaryVoxelScan>(mask_, in_grid(options.box, consume));
+    return;
+  }
+  if (is_smoothed(options)) smoothed_ = std::make_unique<SmoothedMask>(mask_, options.sigma);
+  Grid& field = smoothed_ ? *smoothed_ : mask_;
+  scan_ = std::make_unique<IsoScan>(field, kBoundary, in_grid(options.box, consume));
+}
+
+std::size_t ObjectScan::memory_bytes(const ObjectScanOptions& options, const GridSize& size) {
+  const std::size_t cells = (options.box.extent(0) + 2) * (options.box.extent(1) + 2);
+  std::size_t bytes_a_cell = slices_around(options) + 2;  // of the mask
+  if (options.kind == PointKind::kSmoothedBoundary) bytes_a_cell += 3 * sizeof(double);
+  if (is_smoothed(options)) {
+    bytes_a_cell += (2 * blur_radius(options.sigma) + 3) * sizeof(float) + sizeof(double);
+  }
+  return cells * bytes_a_cell + size[0] * size[1] * sizeof(double);
+}
+
+}  // namespace stream_recon
