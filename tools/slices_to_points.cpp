@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/version.h"
 #include "tools/run_tool.h"
 #include "tools/sampling/conversion.h"
 #include "tools/slices/open_volume.h"
@@ -246,7 +245,6 @@ int main(int argc, char** argv) {
   line.output.scalar = Scalar::kFloat32;
   CLI::App app("Writes points of the surfaces in a volume or a stack of slices",
                "slices-to-points");
-  app.set_version_flag("--version", fmt::format("slices-to-points {}", version()));
   app.footer(kFooter);
   add_input_options(app, line);
   add_selection_options(app, line);
