@@ -1,4 +1,4 @@
-#include "tools/slices/iso_points.h"
+#include "tools/sampling/iso_scan.h"
 
 #include <gtest/gtest.h>
 
@@ -11,42 +11,29 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/array_volume.h"
+#include "tools/sampling/placement.h"
+#include "tools/sampling/region_grid.h"
+
 namespace stream_recon {
 namespace {
 
-class ArrayVolume : public Volume {
- public:
-  ArrayVolume(std::array<std::size_t, 3> size, std::vector<double> values)
-      : values_(std::move(values)) {
-    geometry_.size = size;
-    geometry_.step = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  }
-  VolumeGeometry& change() { return geometry_; }
-  const VolumeGeometry& geometry() const override { return geometry_; }
-  void read_slice(std::size_t k, std::span<double> out) override {
-    std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(k * out.size()), out.size(),
-                out.begin());
-  }
-  double at(std::size_t i, std::size_t j, std::size_t k) const {
-    return values_[(k * geometry_.size[1] + j) * geometry_.size[0] + i];
-  }
-
- private:
-  VolumeGeometry geometry_;
-  std::vector<double> values_;
-};
-
 std::vector<Point3> crossings(Volume& volume, double value) {
+  const GridBox whole{{0, 0, 0}, volume.geometry().size};
+  PlacementOptions options;
+  options.region = whole;
+  const Placement placement(volume.geometry(), options);
+  RegionGrid grid(volume, whole, {1, 1, 1});
   std::vector<Point3> points;
-  const std::uint64_t count =
-      scan_iso_points(volume, value, [&](const Point3& p) { points.push_back(p); });
+  IsoScan scan(grid, value, [&](const GridPoint& p) { points.push_back(placement.position(p)); });
+  const std::uint64_t count = scan.run();
   EXPECT_EQ(count, points.size());
   return points;
 }
 
 using Points = std::vector<Point3>;
 
-TEST(IsoPoints, CrossAtTheInterpolatedPlace) {
+TEST(IsoScan, CrossAtTheInterpolatedPlace) {
   ArrayVolume row({3, 1, 1}, {0, 10, 20});
   EXPECT_EQ(crossings(row, 5), (Points{{0.5, 0, 0}}));
   EXPECT_EQ(crossings(row, 17.5), (Points{{1.75, 0, 0}}));
@@ -56,40 +43,40 @@ TEST(IsoPoints, CrossAtTheInterpolatedPlace) {
   EXPECT_EQ(crossings(falling, 2), (Points{{0, 0, 0.75}}));
 }
 
-TEST(IsoPoints, SpacingOriginAndDirectionApply) {
+TEST(IsoScan, SpacingOriginAndDirectionApply) {
   ArrayVolume row({1, 2, 1}, {0, 4});
   row.change().origin = {100, 200, 300};
   row.change().step[1] = {0, 0, -2};
   EXPECT_EQ(crossings(row, 1), (Points{{100, 200, 299.5}}));
 }
 
-TEST(IsoPoints, AVoxelOfTheValueItselfComesOnce) {
+TEST(IsoScan, AVoxelOfTheValueItselfComesOnce) {
   std::vector<double> values(27, 0);
   values[13] = 7;  // the middle of 3 x 3 x 3, six edges reach it
   ArrayVolume volume({3, 3, 3}, values);
   EXPECT_EQ(crossings(volume, 7), (Points{{1, 1, 1}}));
 }
 
-TEST(IsoPoints, AVoxelOfTheValueWithoutALowerNeighborIsNoCrossing) {
+TEST(IsoScan, AVoxelOfTheValueWithoutALowerNeighborIsNoCrossing) {
   ArrayVolume row({3, 1, 1}, {7, 7, 9});
   EXPECT_EQ(crossings(row, 7), Points{});
 }
 
-TEST(IsoPoints, VoxelsThatAreNotFiniteCrossNothing) {
+TEST(IsoScan, VoxelsThatAreNotFiniteCrossNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   ArrayVolume row({6, 1, 1}, {0, nan, 10, infinity, -infinity, 5});
   EXPECT_EQ(crossings(row, 5), Points{});
 }
 
-TEST(IsoPoints, HugeVoxelsDoNotOverflow) {
+TEST(IsoScan, HugeVoxelsDoNotOverflow) {
   const double huge = std::numeric_limits<double>::max();
   ArrayVolume row({2, 1, 1}, {-huge, huge});
   EXPECT_EQ(crossings(row, 0), (Points{{0.5, 0, 0}}));
 }
 
 // Small integers make voxels that equal the value common.
-TEST(IsoPoints, RandomVolumesAgreeWithEveryEdgeByItselfAndRepeatNothing) {
+TEST(IsoScan, RandomVolumesAgreeWithEveryEdgeByItselfAndRepeatNothing) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
@@ -122,7 +109,7 @@ TEST(IsoPoints, RandomVolumesAgreeWithEveryEdgeByItselfAndRepeatNothing) {
   }
 }
 
-TEST(IsoPoints, CrossingsHardlyOffAVoxelStayDistinct) {
+TEST(IsoScan, CrossingsHardlyOffAVoxelStayDistinct) {
   std::vector<double> values(27, 0);
   values[13] = 1e300;
   ArrayVolume volume({3, 3, 3}, values);

@@ -9,6 +9,9 @@ stream_recon_test(tool_clouds_test
 stream_recon_test(tool_point_sink_test
   SOURCES tool_point_sink_test.cpp
   LIBRARIES stream_recon_points)
+stream_recon_test(tool_sampling_test
+  SOURCES tool_iso_scan_test.cpp tool_sampling_test.cpp
+  LIBRARIES stream_recon_sampling GTest::gmock)
 stream_recon_test(tool_radix_sort_test
   SOURCES tool_radix_sort_test.cpp
   LIBRARIES stream_recon_kernel_bench)
@@ -29,10 +32,6 @@ if(STREAM_RECON_CONVERTERS)
   add_dependencies(tool_programs_test slices-to-points)
   target_compile_definitions(tool_programs_test PRIVATE STREAM_RECON_HAS_CONVERTERS)
   stream_recon_test(tool_slices_test
-<<<<<<< HEAD
-    SOURCES tool_itk_volume_test.cpp
-=======
-    SOURCES tool_iso_points_test.cpp tool_shared_volumes_test.cpp tool_volume_file_test.cpp
->>>>>>> readers
-    LIBRARIES stream_recon_slices)
+    SOURCES tool_shared_volumes_test.cpp tool_volume_file_test.cpp
+    LIBRARIES stream_recon_slices stream_recon_sampling)
 endif()

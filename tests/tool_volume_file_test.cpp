@@ -8,7 +8,7 @@
 
 #include "tests/io_test_folder.h"
 #include "tests/volume_check.h"
-#include "tools/slices/iso_points.h"
+#include "tools/sampling/sampling.h"
 
 namespace stream_recon {
 namespace {
@@ -110,7 +110,9 @@ TEST_F(VolumeFile, EveryFormatGivesThePointsOfTheSphere) {
     write_image(path(name), image.GetPointer(), compressed);
     const auto volume = open_volume(request_of({path(name)}, true));
     std::size_t count = 0;
-    scan_iso_points(*volume, 0.5, [&](const Point3& p) {
+    SamplingOptions options;
+    options.iso = 0.5;
+    Sampling(*volume, options).run([&](const Point3& p) {
       ++count;
       const double distance = std::hypot(p.x - center[0], p.y - center[1], p.z - center[2]);
       EXPECT_NEAR(distance, kRadius, 0.03);

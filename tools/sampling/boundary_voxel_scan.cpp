@@ -18,7 +18,7 @@ bool BoundaryVoxelScan::step() {
       const int neighbors =
           here[at - 1] + here[at + 1] + here[at - width] + here[at + width] + below[at] + above[at];
       if (neighbors == 6) continue;
-      consume_({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
+      consume_({{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}, {}});
       ++points_;
     }
   }

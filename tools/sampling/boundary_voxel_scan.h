@@ -11,14 +11,14 @@ namespace stream_recon {
 class BoundaryVoxelScan : public SliceScan {
  public:
   /// \pre the mask keeps at least 3 slices
-  BoundaryVoxelScan(MaskGrid& mask, CellConsumer consume)
+  BoundaryVoxelScan(MaskGrid& mask, GridPointConsumer consume)
       : mask_(mask), consume_(std::move(consume)) {}
 
   bool step() override;
 
  private:
   MaskGrid& mask_;
-  CellConsumer consume_;
+  GridPointConsumer consume_;
   std::size_t k_ = 0;
 };
 

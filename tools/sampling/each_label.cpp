@@ -22,7 +22,7 @@ class LabelWalk {
       : first_(extent.box.low[2]),
         sink_(std::move(sink)),
         scan_(grid, VoxelSelection::of_labels({extent.label}), options,
-              [this, &placement](const Point3& cell) { sink_->take(placement.position(cell)); }) {}
+              [this, &placement](const GridPoint& p) { sink_->take(placement.position(p)); }) {}
 
   /// Takes part in the step at slice k - 1 of the grid, if its box reaches there.
   void step(std::size_t k) {

@@ -11,7 +11,7 @@ constexpr double kLeastFraction = 0x1p-40;
 
 }  // namespace
 
-IsoScan::IsoScan(Grid& grid, double value, CellConsumer consume)
+IsoScan::IsoScan(Grid& grid, double value, GridPointConsumer consume)
     : grid_(grid),
       value_(value),
       consume_(std::move(consume)),
@@ -39,7 +39,7 @@ void IsoScan::visit(std::size_t i, std::size_t j) {
   if (!std::isfinite(a)) return;
   const Point3 cell{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k_)};
   if (a == value_ && has_lower_neighbor(i, j)) {
-    consume_(cell);
+    consume_({cell, {}});
     ++points_;
   }
   if (i + 1 < width_) cross(a, here_[at + 1], {1, 0, 0}, cell);
@@ -63,7 +63,7 @@ bool IsoScan::has_lower_neighbor(std::size_t i, std::size_t j) const {
 void IsoScan::cross(double a, double b, const Point3& axis, const Point3& cell) {
   if (!std::isfinite(b) || !((a < value_ && b > value_) || (a > value_ && b < value_))) return;
   const double t = std::clamp(fraction(a, b), kLeastFraction, 1 - kLeastFraction);
-  consume_({cell.x + t * axis.x, cell.y + t * axis.y, cell.z + t * axis.z});
+  consume_({cell, {t * axis.x, t * axis.y, t * axis.z}});
   ++points_;
 }
 

@@ -18,7 +18,7 @@ namespace stream_recon {
 
 class IsoScan : public SliceScan {
  public:
-  IsoScan(Grid& grid, double value, CellConsumer consume);
+  IsoScan(Grid& grid, double value, GridPointConsumer consume);
 
   bool step() override;
 
@@ -31,7 +31,7 @@ class IsoScan : public SliceScan {
 
   Grid& grid_;
   double value_;
-  CellConsumer consume_;
+  GridPointConsumer consume_;
   std::size_t width_, height_, depth_;
   std::vector<double> before_, here_, after_;
   std::size_t k_ = 0;

@@ -13,12 +13,12 @@ bool is_smoothed(const ObjectScanOptions& options) {
   return options.kind == PointKind::kSmoothedBoundary && options.sigma > 0;
 }
 
-/// Moves positions in the padded box to positions in the grid.
-CellConsumer in_grid(const GridBox& box, const CellConsumer& consume) {
+/// Moves places in the padded box to places in the grid.
+GridPointConsumer in_grid(const GridBox& box, const GridPointConsumer& consume) {
   const Point3 corner{static_cast<double>(box.low[0]) - 1, static_cast<double>(box.low[1]) - 1,
                       static_cast<double>(box.low[2]) - 1};
-  return [corner, consume](const Point3& cell) {
-    consume({corner.x + cell.x, corner.y + cell.y, corner.z + cell.z});
+  return [corner, consume](const GridPoint& p) {
+    consume({{corner.x + p.cell.x, corner.y + p.cell.y, corner.z + p.cell.z}, p.fraction});
   };
 }
 
@@ -29,7 +29,7 @@ std::size_t slices_around(const ObjectScanOptions& options) {
 }
 
 ObjectScan::ObjectScan(Grid& grid, const VoxelSelection& selection,
-                       const ObjectScanOptions& options, const CellConsumer& consume)
+                       const ObjectScanOptions& options, const GridPointConsumer& consume)
     : mask_(grid, selection, options.box, slices_around(options) + 2) {
   if (options.kind == PointKind::kBoundaryVoxels) {
     scan_ = std::make_unique<BoundaryVoxelScan>(mask_, in_grid(options.box, consume));

@@ -13,7 +13,7 @@ namespace stream_recon {
 
 struct ObjectScanOptions {
   PointKind kind = PointKind::kSmoothedBoundary;  ///< or kBoundaryVoxels
-  double sigma = 1;                               ///< as in SamplingOptions
+  double sigma = 0;                               ///< as in SamplingOptions
   GridBox box;                                    ///< of the grid; may hold the object
 };
 
@@ -23,7 +23,7 @@ std::size_t slices_around(const ObjectScanOptions& options);
 class ObjectScan {
  public:
   ObjectScan(Grid& grid, const VoxelSelection& selection, const ObjectScanOptions& options,
-             const CellConsumer& consume);
+             const GridPointConsumer& consume);
 
   /// Visits the next slice of the box, which has one more on either side; false at the end.
   bool step() { return scan_->step(); }

@@ -47,11 +47,16 @@ SliceOffset Placement::rest(double k) const {
   return {a.di + t * (b.di - a.di), a.dj + t * (b.dj - a.dj)};
 }
 
-Point3 Placement::position(const Point3& cell) const {
-  const SliceOffset offset = rest(cell.z);
-  const double i = first_[0] + cell.x * static_cast<double>(options_.every[0]) + offset.di;
-  const double j = first_[1] + cell.y * static_cast<double>(options_.every[1]) + offset.dj;
-  const double k = first_[2] + cell.z * static_cast<double>(options_.every[2]);
+Point3 Placement::position(const GridPoint& place) const {
+  const SliceOffset offset = rest(place.cell.z + place.fraction.z);
+  // Whole numbers first: the sum's rounding must not depend on where the grid begins.
+  const auto voxel = [&](std::size_t axis, double cell, double fraction) {
+    const auto step = static_cast<double>(options_.every[axis]);
+    return (first_[axis] + cell * step) + fraction * step;
+  };
+  const double i = voxel(0, place.cell.x, place.fraction.x) + offset.di;
+  const double j = voxel(1, place.cell.y, place.fraction.y) + offset.dj;
+  const double k = voxel(2, place.cell.z, place.fraction.z);
   if (options_.coordinates == CoordinateSystem::kIndex) return {i, j, k};
   return geometry_.position(i, j, k);
 }

@@ -12,6 +12,7 @@
 #include "tools/sampling/aligned_grid.h"
 #include "tools/sampling/grid.h"
 #include "tools/sampling/slice_alignment.h"
+#include "tools/sampling/slice_scan.h"
 #include "tools/slices/volume.h"
 
 namespace stream_recon {
@@ -35,8 +36,8 @@ class Placement {
   /// The whole cells that each slice is moved by; empty without offsets.
   const std::vector<SliceShift>& shifts() const { return shifts_; }
 
-  /// \param cell position in the (moved) grid, in cells: 2.5 lies between cells 2 and 3
-  Point3 position(const Point3& cell) const;
+  /// \param place in the (moved) grid
+  Point3 position(const GridPoint& place) const;
 
   /// Distance from cell to cell along i, j, k, in the units of positions.
   std::array<double, 3> spacing() const;

@@ -79,7 +79,7 @@ SampleCounts Sampling::run(const PointConsumer& consume) {
       blurred = std::make_unique<BlurredGrid>(grid(), options_.sigma, BeyondEdge::kIgnored);
     }
     IsoScan scan(blurred ? *blurred : grid(), options_.iso,
-                 [&](const Point3& cell) { consume(placement_.position(cell)); });
+                 [&](const GridPoint& p) { consume(placement_.position(p)); });
     counts.points = scan.run();
   } else {
     counts = run_mask(consume);
@@ -91,13 +91,18 @@ SampleCounts Sampling::run(const PointConsumer& consume) {
 SampleCounts Sampling::run_mask(const PointConsumer& consume) {
   ObjectScan scan(grid(), options_.selection.value(),
                   {options_.kind, options_.sigma, whole_box(grid())},
-                  [&](const Point3& cell) { consume(placement_.position(cell)); });
+                  [&](const GridPoint& p) { consume(placement_.position(p)); });
   while (scan.step()) {
   }
   return scan.counts();
 }
 
 void Sampling::refuse_empty() {
+  if (options_.selection && options_.selection->is_of_labels()) {
+    throw InputError(fmt::format("no voxel has {}; labels here: {}",
+                                 options_.selection->description(),
+                                 label_list(find_labels(grid()))));
+  }
   throw InputError(fmt::format("no point: nothing is the {} here; the voxels hold {}",
                                description(), value_range(grid())));
 }

@@ -35,7 +35,7 @@ struct SamplingOptions {
   std::optional<VoxelSelection> selection;  ///< the object, for the other kinds
   /// Of the Gaussian, in voxels (of those that are sampled), >= 0; 0: none. Not for boundary
   /// voxels.
-  double sigma = 1;
+  double sigma = 0;
   RegionOfInterest region;
   GridSize every{1, 1, 1};           ///< samples every n-th voxel along i, j, k; >= 1
   std::vector<SliceOffset> offsets;  ///< one a slice of the volume; empty: none

@@ -10,8 +10,13 @@
 
 namespace stream_recon {
 
-/// Takes a position in cells of the scanned grid.
-using CellConsumer = std::function<void(const Point3&)>;
+/// A place in a grid: a cell, whose numbers may be moved exactly, and how far it lies beyond it.
+struct GridPoint {
+  Point3 cell;      ///< whole numbers
+  Point3 fraction;  ///< each in [0, 1)
+};
+
+using GridPointConsumer = std::function<void(const GridPoint&)>;
 
 class SliceScan {
  public:

@@ -22,6 +22,8 @@ class VoxelSelection {
   /// Sets `inside` to 1 where the voxel belongs to the object, else 0; both of one length.
   void mark(std::span<const double> voxels, std::span<std::uint8_t> inside) const;
 
+  bool is_of_labels() const { return kind_ == Kind::kLabels; }
+
   /// For people: "label 13", "at least -400".
   std::string description() const;
 
