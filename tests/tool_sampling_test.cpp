@@ -30,7 +30,7 @@ SamplingOptions options_of(PointKind kind, const VoxelSelection& selection, doub
   SamplingOptions options;
   options.kind = kind;
   options.selection = selection;
-  options.sigma = sigma;
+  options.smoothing.sigma = sigma;
   return options;
 }
 
@@ -86,7 +86,8 @@ TEST(BoundaryVoxels, AreTheObjectsVoxelsWithAFaceNeighbourOutside) {
 }
 
 // One crossing on each boundary face: topology is the mask's, whatever the smoothing.
-TEST(SmoothedBoundary, CrossesEveryFaceBetweenInsideAndOutsideOnceAndNothingElse) {
+TEST(SmoothedBoundary,
+     ThatKeepsThinPartsCrossesEveryFaceBetweenInsideAndOutsideOnceAndNothingElse) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
@@ -98,8 +99,10 @@ TEST(SmoothedBoundary, CrossesEveryFaceBetweenInsideAndOutsideOnceAndNothingElse
                2 * cell[2] + double(step[2])}];
     });
     if (edges.empty()) continue;
-    for (const Point3& p : sampled(volume, options_of(PointKind::kSmoothedBoundary,
-                                                      VoxelSelection::of_labels({1}), sigma))) {
+    SamplingOptions options =
+        options_of(PointKind::kSmoothedBoundary, VoxelSelection::of_labels({1}), sigma);
+    options.smoothing.keep_thin = true;
+    for (const Point3& p : sampled(volume, options)) {
       std::array<double, 3> middle{};
       int fractions = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -117,6 +120,41 @@ TEST(SmoothedBoundary, CrossesEveryFaceBetweenInsideAndOutsideOnceAndNothingElse
     }
     for (const auto& [middle, left] : edges) EXPECT_EQ(left, 0);
   }
+}
+
+TEST(SmoothedBoundary, CountsTheVoxelsThatSmoothingMovesAcross) {
+  // A sheet one voxel thick, and a block that has a dent.
+  ArrayVolume volume = ArrayVolume::made({12, 12, 20}, [](auto i, auto j, auto k) {
+    return k == 3 || (k >= 9 && k < 17 && !(i == 6 && j == 6 && k == 16)) ? 1.0 : 0.0;
+  });
+  Sampling sampling(volume,
+                    options_of(PointKind::kSmoothedBoundary, VoxelSelection::any_label(), 1));
+  double lowest = HUGE_VAL;
+  for (int pass = 0; pass < 2; ++pass) {
+    const SampleCounts counts =
+        sampling.run([&](const Point3& p) { lowest = std::min(lowest, p.z); });
+    EXPECT_EQ(counts.voxels, 12U * 12 * 9 - 1);
+    EXPECT_GE(counts.voxels_lost, 12U * 12);  // the sheet, and corners of the block
+    EXPECT_LE(counts.voxels_lost, 12U * 12 + 8 * 12 + 4 * 8);
+    EXPECT_EQ(counts.voxels_gained, 1U);
+  }
+  EXPECT_GT(lowest, 8);
+}
+
+TEST(SmoothedBoundary, OfWhatIsAllTooThinIsRefused) {
+  ArrayVolume sheet =
+      ArrayVolume::made({8, 8, 9}, [](auto, auto, auto k) { return k == 4 ? 1 : 0; });
+  SamplingOptions options =
+      options_of(PointKind::kSmoothedBoundary, VoxelSelection::any_label(), 1);
+  try {
+    sampled(sheet, options);
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("all 64 voxels"));
+    EXPECT_THAT(e.what(), HasSubstr("--keep-thin"));
+  }
+  options.smoothing.keep_thin = true;
+  EXPECT_EQ(sampled(sheet, options).size(), 2U * 64 + 4 * 8);
 }
 
 TEST(SmoothedBoundary, OfABallLiesCloserToItThanVoxelFacesDo) {
@@ -143,7 +181,7 @@ TEST(SmoothedBoundary, OfABallLiesCloserToItThanVoxelFacesDo) {
 TEST(Objects, ThatFillTheVolumeAreClosedAtItsEdge) {
   ArrayVolume full = ArrayVolume::made({3, 4, 5}, [](auto, auto, auto) { return 9.0; });
   const auto points =
-      sampled(full, options_of(PointKind::kSmoothedBoundary, VoxelSelection::at_least(9), 1));
+      sampled(full, options_of(PointKind::kSmoothedBoundary, VoxelSelection::at_least(9)));
   EXPECT_EQ(points.size(), 2U * (3 * 4 + 4 * 5 + 3 * 5));
   EXPECT_EQ(sampled(full, options_of(PointKind::kBoundaryVoxels, VoxelSelection::above(8))).size(),
             3U * 4 * 5 - 1 * 2 * 3);
@@ -367,11 +405,13 @@ TEST(EachLabel, GivesEveryLabelThePointsItHasByItself) {
     SamplingOptions options =
         options_of(seed % 3 == 0 ? PointKind::kBoundaryVoxels : PointKind::kSmoothedBoundary,
                    VoxelSelection::any_label(), seed % 3 == 1 ? 1 : 0.0);
+    options.smoothing.keep_thin = seed % 4 < 2;
     std::map<double, Points> found;
     const std::size_t count = sample_each_label(
         volume, options, [&](double label) { return std::make_unique<Collected>(found[label]); });
     EXPECT_EQ(count, found.size());
     for (const auto& [label, points] : found) {
+      if (points.empty()) continue;  // smoothed away, which finish() saw
       options.selection = VoxelSelection::of_labels({label});
       EXPECT_EQ(points, sampled(volume, options)) << "label " << label;
     }

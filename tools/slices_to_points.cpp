@@ -1,6 +1,7 @@
 // slices-to-points: points of the surfaces in a volume or a stack of slices.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <charconv>
@@ -28,7 +29,7 @@ struct CommandLine {
 
   std::optional<double> iso, above, at_least;
   std::string label;
-  bool boundary_voxels = false;
+  bool boundary_voxels = false, keep_thin = false;
   std::optional<double> smooth;
 
   std::vector<double> spacing;
@@ -95,6 +96,9 @@ void add_selection_options(CLI::App& app, CommandLine& line) {
                  "none, for --iso)")
       ->check(CLI::Range(0.0, 20.0))
       ->option_text("S");
+  app.add_flag("--keep-thin", line.keep_thin,
+               "Objects: smoothing moves no voxel to the other side, so that nothing thin is lost "
+               "(what is thinner than 1.35 S is otherwise); the points make rougher surfaces");
 }
 
 void add_grid_options(CLI::App& app, CommandLine& line) {
@@ -170,6 +174,8 @@ void check_combinations(const CommandLine& line) {
           "--boundary-voxels wants an object; use --at-least instead of --iso");
   require(!line.smooth || !line.boundary_voxels,
           "--boundary-voxels are not smoothed; leave --smooth out");
+  require(!line.keep_thin || !(line.boundary_voxels || line.iso),
+          "--keep-thin is for smoothed objects; leave it out");
   require(line.label != "each" || line.output.path != "-",
           "--label each writes a file for every label; give -o a name");
   for (const double s : line.spacing) {
@@ -194,7 +200,7 @@ SamplingOptions sampling_options(const CommandLine& line, const VolumeGeometry& 
   SamplingOptions options;
   options.selection = selection_of(line);
   options.iso = line.iso.value_or(0);
-  options.sigma = line.smooth.value_or(line.iso ? 0 : 1);
+  options.smoothing = {line.smooth.value_or(line.iso ? 0 : 1), line.keep_thin};
   if (line.iso) {
     options.kind = PointKind::kCrossings;
   } else {
@@ -221,6 +227,12 @@ void convert(CommandLine& line) {
   if (line.label == "each") {
     const LabelCounts counts = write_each_label(*volume, options, line.output);
     spdlog::info("{} labels, {} points, from {}", counts.labels, counts.points, from);
+    if (!counts.smoothed_away.empty()) {
+      spdlog::warn(
+          "all voxels of these labels are smoothed away, they have no file: {}; add "
+          "--keep-thin, or smooth less",
+          fmt::join(counts.smoothed_away, ", "));
+    }
     return;
   }
   const SampleCounts counts = write_points(*volume, options, line.output);
@@ -228,14 +240,19 @@ void convert(CommandLine& line) {
   if (line.iso) {
     spdlog::info("{} points: {}, from {}", counts.points, what, from);
   } else {
-    spdlog::info("{} points: {}, {} voxels, from {}", counts.points, what, counts.voxels, from);
+    const bool moved = counts.voxels_lost + counts.voxels_gained > 0;
+    spdlog::info("{} points: {}, {} voxels{}, from {}", counts.points, what, counts.voxels,
+                 moved ? fmt::format(" (smoothing took {} and added {})", counts.voxels_lost,
+                                     counts.voxels_gained)
+                       : "",
+                 from);
   }
 }
 
 constexpr const char* kFooter =
     "Objects (--label, --above, --at-least) are closed at the volume's edge, and so at that of\n"
-    "--roi; --iso is open there. By default an object's points lie on its smoothed boundary: one\n"
-    "for every pair of face neighbours inside and outside, none lost or added by smoothing.\n"
+    "--roi; --iso is open there. By default an object's points lie on its smoothed boundary;\n"
+    "how many voxels smoothing took from it, and added, is said.\n"
     "Memory is a few slices, however long the stack.";
 
 }  // namespace

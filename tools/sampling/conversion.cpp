@@ -11,18 +11,23 @@ namespace {
 
 class LabelFile : public LabelSink {
  public:
-  LabelFile(const PointSinkOptions& options, std::uint64_t& total)
-      : sink_(options), total_(total) {}
+  LabelFile(const PointSinkOptions& options, double label, LabelCounts& total)
+      : sink_(options), label_(label), total_(total) {}
 
   void take(const Point3& point) override { sink_.write({&point, 1}); }
   void finish(const SampleCounts& counts) override {
-    sink_.finish();
-    total_ += counts.points;
+    total_.points += counts.points;
+    if (counts.points == 0) {
+      total_.smoothed_away.push_back(label_);
+    } else {
+      sink_.finish();
+    }
   }
 
  private:
   PointSink sink_;
-  std::uint64_t& total_;
+  double label_;
+  LabelCounts& total_;
 };
 
 }  // namespace
@@ -55,7 +60,7 @@ LabelCounts write_each_label(Volume& volume, const SamplingOptions& options,
     PointSinkOptions file = output;
     file.path = label_path(output.path, label);
     file.metadata = Sampling(volume, one).metadata(volume.source());
-    return std::make_unique<LabelFile>(file, counts.points);
+    return std::make_unique<LabelFile>(file, label, counts);
   });
   return counts;
 }

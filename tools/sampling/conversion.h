@@ -21,7 +21,8 @@ SampleCounts write_points(Volume& volume, const SamplingOptions& options, PointS
 /// \throw as write_points
 struct LabelCounts {
   std::size_t labels = 0;
-  std::uint64_t points = 0;  ///< of all labels
+  std::uint64_t points = 0;           ///< of all labels
+  std::vector<double> smoothed_away;  ///< labels without a point: they have no file
 };
 LabelCounts write_each_label(Volume& volume, const SamplingOptions& options,
                              const PointSinkOptions& output);

@@ -11,7 +11,7 @@ namespace stream_recon {
 namespace {
 
 ObjectScanOptions scan_options(const SamplingOptions& options, const LabelExtent& extent) {
-  return {options.kind, options.sigma, extent.box};
+  return {options.kind, options.smoothing, extent.box};
 }
 
 /// One label on its way.

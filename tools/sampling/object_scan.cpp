@@ -2,7 +2,6 @@
 
 #include "tools/sampling/boundary_voxel_scan.h"
 #include "tools/sampling/iso_scan.h"
-#include "tools/sampling/smoothed_mask.h"
 
 namespace stream_recon {
 namespace {
@@ -10,7 +9,7 @@ namespace {
 constexpr double kBoundary = 0.5;
 
 bool is_smoothed(const ObjectScanOptions& options) {
-  return options.kind == PointKind::kSmoothedBoundary && options.sigma > 0;
+  return options.kind == PointKind::kSmoothedBoundary && options.smoothing.sigma > 0;
 }
 
 /// Moves places in the padded box to places in the grid.
@@ -25,7 +24,7 @@ GridPointConsumer in_grid(const GridBox& box, const GridPointConsumer& consume) 
 }  // namespace
 
 std::size_t slices_around(const ObjectScanOptions& options) {
-  return 1 + (is_smoothed(options) ? blur_radius(options.sigma) : 0);
+  return 1 + (is_smoothed(options) ? blur_radius(options.smoothing.sigma) : 0);
 }
 
 ObjectScan::ObjectScan(Grid& grid, const VoxelSelection& selection,
@@ -35,9 +34,18 @@ ObjectScan::ObjectScan(Grid& grid, const VoxelSelection& selection,
     scan_ = std::make_unique<BoundaryVoxelScan>(mask_, in_grid(options.box, consume));
     return;
   }
-  if (is_smoothed(options)) smoothed_ = std::make_unique<SmoothedMask>(mask_, options.sigma);
-  Grid& field = smoothed_ ? *smoothed_ : mask_;
+  if (is_smoothed(options)) smoothed_ = std::make_unique<SmoothedMask>(mask_, options.smoothing);
+  Grid& field = smoothed_ ? static_cast<Grid&>(*smoothed_) : mask_;
   scan_ = std::make_unique<IsoScan>(field, kBoundary, in_grid(options.box, consume));
+}
+
+SampleCounts ObjectScan::counts() const {
+  SampleCounts counts{scan_->points(), mask_.cells_inside()};
+  if (smoothed_) {
+    counts.voxels_lost = smoothed_->cells_lost();
+    counts.voxels_gained = smoothed_->cells_gained();
+  }
+  return counts;
 }
 
 std::size_t ObjectScan::memory_bytes(const ObjectScanOptions& options, const GridSize& size) {
@@ -45,7 +53,7 @@ std::size_t ObjectScan::memory_bytes(const ObjectScanOptions& options, const Gri
   std::size_t bytes_a_cell = slices_around(options) + 2;  // of the mask
   if (options.kind == PointKind::kSmoothedBoundary) bytes_a_cell += 3 * sizeof(double);
   if (is_smoothed(options)) {
-    bytes_a_cell += (2 * blur_radius(options.sigma) + 3) * sizeof(float) + sizeof(double);
+    bytes_a_cell += (2 * blur_radius(options.smoothing.sigma) + 3) * sizeof(float) + sizeof(double);
   }
   return cells * bytes_a_cell + size[0] * size[1] * sizeof(double);
 }

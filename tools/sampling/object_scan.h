@@ -8,12 +8,13 @@
 #include "tools/sampling/mask_grid.h"
 #include "tools/sampling/sampling.h"
 #include "tools/sampling/slice_scan.h"
+#include "tools/sampling/smoothed_mask.h"
 
 namespace stream_recon {
 
 struct ObjectScanOptions {
   PointKind kind = PointKind::kSmoothedBoundary;  ///< or kBoundaryVoxels
-  double sigma = 0;                               ///< as in SamplingOptions
+  MaskSmoothing smoothing;                        ///< as in SamplingOptions
   GridBox box;                                    ///< of the grid; may hold the object
 };
 
@@ -28,14 +29,14 @@ class ObjectScan {
   /// Visits the next slice of the box, which has one more on either side; false at the end.
   bool step() { return scan_->step(); }
 
-  SampleCounts counts() const { return {scan_->points(), mask_.cells_inside()}; }
+  SampleCounts counts() const;
 
   /// Estimate for a box, before one is built.
   static std::size_t memory_bytes(const ObjectScanOptions& options, const GridSize& size);
 
  private:
   MaskGrid mask_;
-  std::unique_ptr<Grid> smoothed_;
+  std::unique_ptr<SmoothedMask> smoothed_;
   std::unique_ptr<SliceScan> scan_;
 };
 

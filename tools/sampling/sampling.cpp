@@ -75,8 +75,9 @@ SampleCounts Sampling::run(const PointConsumer& consume) {
   SampleCounts counts;
   if (options_.kind == PointKind::kCrossings) {
     std::unique_ptr<Grid> blurred;
-    if (options_.sigma > 0) {
-      blurred = std::make_unique<BlurredGrid>(grid(), options_.sigma, BeyondEdge::kIgnored);
+    if (options_.smoothing.sigma > 0) {
+      blurred =
+          std::make_unique<BlurredGrid>(grid(), options_.smoothing.sigma, BeyondEdge::kIgnored);
     }
     IsoScan scan(blurred ? *blurred : grid(), options_.iso,
                  [&](const GridPoint& p) { consume(placement_.position(p)); });
@@ -84,20 +85,25 @@ SampleCounts Sampling::run(const PointConsumer& consume) {
   } else {
     counts = run_mask(consume);
   }
-  if (counts.points == 0) refuse_empty();
+  if (counts.points == 0) refuse_empty(counts);
   return counts;
 }
 
 SampleCounts Sampling::run_mask(const PointConsumer& consume) {
   ObjectScan scan(grid(), options_.selection.value(),
-                  {options_.kind, options_.sigma, whole_box(grid())},
+                  {options_.kind, options_.smoothing, whole_box(grid())},
                   [&](const GridPoint& p) { consume(placement_.position(p)); });
   while (scan.step()) {
   }
   return scan.counts();
 }
 
-void Sampling::refuse_empty() {
+void Sampling::refuse_empty(const SampleCounts& counts) {
+  if (counts.voxels > 0) {
+    throw InputError(fmt::format(
+        "all {} voxels of the object ({}) are smoothed away; add --keep-thin, or smooth less",
+        counts.voxels, options_.selection->description()));
+  }
   if (options_.selection && options_.selection->is_of_labels()) {
     throw InputError(fmt::format("no voxel has {}; labels here: {}",
                                  options_.selection->description(),

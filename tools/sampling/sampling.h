@@ -18,6 +18,7 @@
 #include "tools/sampling/aligned_grid.h"
 #include "tools/sampling/placement.h"
 #include "tools/sampling/region_grid.h"
+#include "tools/sampling/smoothed_mask.h"
 #include "tools/sampling/voxel_selection.h"
 #include "tools/slices/volume.h"
 
@@ -33,9 +34,9 @@ struct SamplingOptions {
   PointKind kind = PointKind::kCrossings;
   double iso = 0;                           ///< kCrossings: finite, units of the voxels
   std::optional<VoxelSelection> selection;  ///< the object, for the other kinds
-  /// Of the Gaussian, in voxels (of those that are sampled), >= 0; 0: none. Not for boundary
-  /// voxels.
-  double sigma = 0;
+  /// In voxels (of those that are sampled); keep_thin is for kSmoothedBoundary. Boundary voxels are
+  /// never smoothed.
+  MaskSmoothing smoothing;
   RegionOfInterest region;
   GridSize every{1, 1, 1};           ///< samples every n-th voxel along i, j, k; >= 1
   std::vector<SliceOffset> offsets;  ///< one a slice of the volume; empty: none
@@ -44,7 +45,9 @@ struct SamplingOptions {
 
 struct SampleCounts {
   std::uint64_t points = 0;
-  std::uint64_t voxels = 0;  ///< of the object; 0 for kCrossings
+  std::uint64_t voxels = 0;         ///< of the object; 0 for kCrossings
+  std::uint64_t voxels_lost = 0;    ///< of those, outside the smoothed boundary
+  std::uint64_t voxels_gained = 0;  ///< other ones inside of it
 };
 
 using PointConsumer = std::function<void(const Point3&)>;
@@ -69,7 +72,7 @@ class Sampling {
 
  private:
   SampleCounts run_mask(const PointConsumer& consume);
-  [[noreturn]] void refuse_empty();
+  [[noreturn]] void refuse_empty(const SampleCounts& counts);
 
   SamplingOptions options_;
   Placement placement_;
