@@ -27,7 +27,7 @@ std::string reason_of(const itk::ExceptionObject& e) {
   return reason.empty() ? "no reason given" : reason;
 }
 
-itk::ImageIOBase::Pointer open_reader(const std::string& path) {
+itk::ImageIOBase::Pointer find_reader(const std::string& path) {
   if (!std::filesystem::exists(path))
     throw InputError(fmt::format("{}: no such file; check the name", path));
   if (std::filesystem::is_directory(path))
@@ -36,9 +36,6 @@ itk::ImageIOBase::Pointer open_reader(const std::string& path) {
   call_itk(path, [&] {
     reader =
         itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::CommonEnums::IOFileMode::ReadMode);
-    if (!reader) return;
-    reader->SetFileName(path);
-    reader->ReadImageInformation();
   });
   if (!reader) {
     throw InputError(fmt::format(
@@ -101,10 +98,16 @@ void call_itk(const std::string& path, const std::function<void()>& work) {
 }
 
 ItkFile open_itk_file(const std::string& path) {
-  ItkFile file{path, open_reader(path), {}};
-  refuse_unsuitable(*file.reader, path);
-  file.geometry = geometry_of(*file.reader);
-  return file;
+  return open_itk_file(path, find_reader(path));
+}
+
+ItkFile open_itk_file(const std::string& path, itk::ImageIOBase::Pointer reader) {
+  call_itk(path, [&] {
+    reader->SetFileName(path);
+    reader->ReadImageInformation();
+  });
+  refuse_unsuitable(*reader, path);
+  return {path, reader, geometry_of(*reader)};
 }
 
 }  // namespace stream_recon
