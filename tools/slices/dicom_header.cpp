@@ -4,7 +4,6 @@
 #include <gdcmReader.h>
 
 #include <cmath>
-#include <filesystem>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "io/error.h"
 #include "io/scalar_type.h"
 #include "tools/slices/itk_file.h"
+#include "tools/slices/slice_image.h"
 #include "tools/slices/unpacked_file.h"
 
 namespace stream_recon {
@@ -81,8 +81,8 @@ DicomHeader header_of(const gdcm::DataSet& data) {
 }
 
 bool is_named_as_dicom(const std::string& path) {
-  static const std::set<std::string> kEndings{".dcm", ".DCM", ".dicom", ".ima", ".IMA"};
-  return kEndings.contains(std::filesystem::path(path).extension().string());
+  static const std::set<std::string> kEndings{".dcm", ".dicom", ".ima"};
+  return kEndings.contains(lower_ending(path));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "tools/slices/itk_file.h"
 
 #include <fmt/format.h>
-#include <itkImageIOFactory.h>
 #include <itkImageIOFactoryRegisterManager.h>
+#include <itkObjectFactoryBase.h>
 
 #include <algorithm>
 #include <exception>
@@ -27,6 +27,13 @@ std::string reason_of(const itk::ExceptionObject& e) {
   return reason.empty() ? "no reason given" : reason;
 }
 
+/// Pictures have readers of their own here; ITK's for JPEG crashes on a file of two bytes.
+bool is_for_pictures(const itk::ImageIOBase& reader) {
+  const std::string name = reader.GetNameOfClass();
+  return name == "BMPImageIO" || name == "JPEGImageIO" || name == "JPEG2000ImageIO" ||
+         name == "LSMImageIO" || name == "PNGImageIO" || name == "TIFFImageIO";
+}
+
 itk::ImageIOBase::Pointer find_reader(const std::string& path) {
   if (!std::filesystem::exists(path))
     throw InputError(fmt::format("{}: no such file; check the name", path));
@@ -34,8 +41,14 @@ itk::ImageIOBase::Pointer find_reader(const std::string& path) {
     throw InputError(fmt::format("{}: a folder; name a single volume file", path));
   itk::ImageIOBase::Pointer reader;
   call_itk(path, [&] {
-    reader =
-        itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::CommonEnums::IOFileMode::ReadMode);
+    for (const auto& object : itk::ObjectFactoryBase::CreateAllInstance("itkImageIOBase")) {
+      auto* candidate = dynamic_cast<itk::ImageIOBase*>(object.GetPointer());
+      if (candidate == nullptr || is_for_pictures(*candidate)) continue;
+      if (candidate->CanReadFile(path.c_str())) {
+        reader = candidate;
+        return;
+      }
+    }
   });
   if (!reader) {
     throw InputError(fmt::format(

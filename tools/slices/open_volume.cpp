@@ -91,6 +91,7 @@ std::unique_ptr<Volume> open_files(const VolumeRequest& request) {
   }
   check_no_series(request);
   if (const auto kind = image_kind_of(paths.front())) return open_image_stack(*kind, paths);
+  if (is_named_as_image(paths.front())) refuse_unknown_image(paths.front());
   if (paths.size() == 1) return open_volume_file(paths.front());
   throw InputError(
       fmt::format("{}: one of {} files, but no PNG, TIFF, JPEG, BMP or DICOM slice; "

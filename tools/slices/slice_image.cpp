@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
+#include <filesystem>
+#include <set>
 #include <string_view>
 
 #include "io/error.h"
@@ -45,6 +48,22 @@ std::string_view name_of(ImageKind kind) {
       return "BMP";
   }
   return "";
+}
+
+std::string lower_ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
+bool is_named_as_image(const std::string& path) {
+  static const std::set<std::string> kEndings{".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"};
+  return kEndings.contains(lower_ending(path));
+}
+
+void refuse_unknown_image(const std::string& path) {
+  throw InputError(
+      fmt::format("{}: not the image that its name says, or cut off; copy it again", path));
 }
 
 void refuse_color(const std::string& path) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "tools/slices/raw_layout.h"
 
@@ -45,6 +46,10 @@ enum class ImageKind { kPng, kTiff, kJpeg, kBmp };
 /// By the first bytes. \throw InputError no such file
 std::optional<ImageKind> image_kind_of(const std::string& path);
 std::string_view name_of(ImageKind kind);
+bool is_named_as_image(const std::string& path);
+
+/// ".png" of "A.PNG"; empty without one.
+std::string lower_ending(const std::string& path);
 
 /// \throw InputError
 std::unique_ptr<SliceImage> open_png_image(const std::string& path);
@@ -52,6 +57,7 @@ std::unique_ptr<SliceImage> open_jpeg_image(const std::string& path);
 std::unique_ptr<SliceImage> open_bmp_image(const std::string& path);
 
 /// \throw InputError always
+[[noreturn]] void refuse_unknown_image(const std::string& path);
 [[noreturn]] void refuse_color(const std::string& path);
 [[noreturn]] void refuse_damaged_image(const std::string& path, const std::string& reason);
 

@@ -20,13 +20,6 @@ std::string joined(const std::string& folder, const std::string& name) {
   return (std::filesystem::path(folder) / name).string();
 }
 
-std::string ending_of(const std::string& name) {
-  std::string ending = std::filesystem::path(name).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 Names visible_files(const std::string& folder) {
   Names names;
   for (const std::string& name : list_folder(folder))
@@ -34,11 +27,6 @@ Names visible_files(const std::string& folder) {
       names.push_back(name);
   sort_naturally(names);
   return names;
-}
-
-bool is_named_as_image(const std::string& name) {
-  static const std::set<std::string> kEndings{".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"};
-  return kEndings.contains(ending_of(name));
 }
 
 Names joined_all(const std::string& folder, const Names& names) {
@@ -79,8 +67,7 @@ ImageKind common_kind(const std::string& folder, const Names& images) {
   for (const std::string& name : images) {
     const std::string path = joined(folder, name);
     const auto kind = image_kind_of(path);
-    if (!kind)
-      throw InputError(fmt::format("{}: not the image its name says; copy it again", path));
+    if (!kind) refuse_unknown_image(path);
     if (!common) common = kind;
     if (kind == common) continue;
     throw InputError(fmt::format("{}: {} ({}) and {} ({}) in one folder; leave one kind there",
@@ -118,7 +105,7 @@ std::vector<std::string> raw_files_in_folder(const std::string& folder) {
                                             ".hdr", ".xml", ".json", ".csv"};
   Names names = visible_files(folder);
   std::erase_if(names, [](const std::string& name) {
-    return kTexts.contains(ending_of(name)) || name.starts_with("README");
+    return kTexts.contains(lower_ending(name)) || name.starts_with("README");
   });
   if (names.empty())
     throw InputError(fmt::format("{}: no files with voxels in this folder", folder));
