@@ -32,6 +32,10 @@ if(STREAM_RECON_CONVERTERS)
   add_dependencies(tool_programs_test slices-to-points)
   target_compile_definitions(tool_programs_test PRIVATE STREAM_RECON_HAS_CONVERTERS)
   stream_recon_test(tool_slices_test
-    SOURCES tool_shared_volumes_test.cpp tool_volume_file_test.cpp
+    SOURCES tool_image_stack_test.cpp tool_raw_volume_test.cpp
+      tool_shared_volumes_test.cpp tool_volume_file_test.cpp
     LIBRARIES stream_recon_slices stream_recon_sampling)
+  find_package(JPEG REQUIRED)
+  find_package(TIFF REQUIRED)
+  target_link_libraries(tool_slices_test PRIVATE JPEG::JPEG PNG::PNG TIFF::TIFF ZLIB::ZLIB)
 endif()

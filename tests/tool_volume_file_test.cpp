@@ -341,7 +341,6 @@ TEST_F(VolumeFile, OneMissingOrShortDataFileIsRefusedByName) {
   put_bytes(path("s3.raw"), "short");
   EXPECT_NE(refusal(path("a.nhdr")).find("s3.raw: 5 bytes instead of 12"), std::string::npos);
   std::filesystem::remove(path("s3.raw"));
-  std::cerr << refusal(path("a.nhdr")) << "\n";
   EXPECT_NE(refusal(path("a.nhdr")).find("s3.raw: no such file"), std::string::npos);
 }
 

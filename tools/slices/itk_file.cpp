@@ -1,8 +1,8 @@
 #include "tools/slices/itk_file.h"
 
 #include <fmt/format.h>
-#include <itkImageIOFactory.h>
 #include <itkImageIOFactoryRegisterManager.h>
+#include <itkObjectFactoryBase.h>
 
 #include <algorithm>
 #include <exception>
@@ -27,18 +27,28 @@ std::string reason_of(const itk::ExceptionObject& e) {
   return reason.empty() ? "no reason given" : reason;
 }
 
-itk::ImageIOBase::Pointer open_reader(const std::string& path) {
+/// Pictures have readers of their own here; ITK's for JPEG crashes on a file of two bytes.
+bool is_for_pictures(const itk::ImageIOBase& reader) {
+  const std::string name = reader.GetNameOfClass();
+  return name == "BMPImageIO" || name == "JPEGImageIO" || name == "JPEG2000ImageIO" ||
+         name == "LSMImageIO" || name == "PNGImageIO" || name == "TIFFImageIO";
+}
+
+itk::ImageIOBase::Pointer find_reader(const std::string& path) {
   if (!std::filesystem::exists(path))
     throw InputError(fmt::format("{}: no such file; check the name", path));
   if (std::filesystem::is_directory(path))
     throw InputError(fmt::format("{}: a folder; name a single volume file", path));
   itk::ImageIOBase::Pointer reader;
   call_itk(path, [&] {
-    reader =
-        itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::CommonEnums::IOFileMode::ReadMode);
-    if (!reader) return;
-    reader->SetFileName(path);
-    reader->ReadImageInformation();
+    for (const auto& object : itk::ObjectFactoryBase::CreateAllInstance("itkImageIOBase")) {
+      auto* candidate = dynamic_cast<itk::ImageIOBase*>(object.GetPointer());
+      if (candidate == nullptr || is_for_pictures(*candidate)) continue;
+      if (candidate->CanReadFile(path.c_str())) {
+        reader = candidate;
+        return;
+      }
+    }
   });
   if (!reader) {
     throw InputError(fmt::format(
@@ -101,10 +111,16 @@ void call_itk(const std::string& path, const std::function<void()>& work) {
 }
 
 ItkFile open_itk_file(const std::string& path) {
-  ItkFile file{path, open_reader(path), {}};
-  refuse_unsuitable(*file.reader, path);
-  file.geometry = geometry_of(*file.reader);
-  return file;
+  return open_itk_file(path, find_reader(path));
+}
+
+ItkFile open_itk_file(const std::string& path, itk::ImageIOBase::Pointer reader) {
+  call_itk(path, [&] {
+    reader->SetFileName(path);
+    reader->ReadImageInformation();
+  });
+  refuse_unsuitable(*reader, path);
+  return {path, reader, geometry_of(*reader)};
 }
 
 }  // namespace stream_recon

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -141,12 +142,34 @@ bool place_voxels(const NrrdFields& fields, VoxelLayout& layout) {
   return !layout.at_end;
 }
 
+/// Spacings without directions in a space with a name: axes are those of the space. ITK refuses it.
+std::optional<VolumeGeometry> geometry_of(const NrrdFields& fields) {
+  const bool has_space = !fields["space"].empty() || !fields["space dimension"].empty();
+  if (!has_space || fields["spacings"].empty() || !fields["space directions"].empty()) return {};
+  if (fields["dimension"] != "3") return {};
+  VolumeGeometry geometry;
+  std::istringstream sizes(fields["sizes"]);
+  for (std::size_t& n : geometry.size)
+    if (!(sizes >> n) || n == 0) return {};
+  std::istringstream spacings(fields["spacings"]);
+  std::array<double, 3> spacing{};
+  for (double& length : spacing) {
+    std::string word;
+    spacings >> word;
+    length = std::strtod(word.c_str(), nullptr);
+    if (!std::isfinite(length) || length == 0) length = 1;
+  }
+  geometry.step = {{{spacing[0], 0, 0}, {0, spacing[1], 0}, {0, 0, spacing[2]}}};
+  return geometry;
+}
+
 }  // namespace
 
 VolumeHeader read_nrrd_header(const std::string& path) {
   const NrrdFields fields = read_fields(path);
   VolumeHeader result;
   result.has_spacing = has_spacing(fields);
+  result.geometry = geometry_of(fields);
   const auto type = type_of(fields["type"]);
   const std::string encoding = lowered(fields["encoding"]);
   const bool is_packed = encoding == "gzip" || encoding == "gz";

@@ -16,7 +16,8 @@ namespace stream_recon {
 
 struct VolumeHeader {
   std::optional<VoxelLayout> layout;
-  bool has_spacing = true;  ///< of all axes
+  bool has_spacing = true;                 ///< of all axes
+  std::optional<VolumeGeometry> geometry;  ///< where ITK does not understand the header's
 };
 
 /// .nii and .hdr/.img, each also with .gz. \throw InputError truncated
