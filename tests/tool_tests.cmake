@@ -31,6 +31,14 @@ target_compile_definitions(tool_programs_test PRIVATE
 if(STREAM_RECON_CONVERTERS)
   add_dependencies(tool_programs_test slices-to-points)
   target_compile_definitions(tool_programs_test PRIVATE STREAM_RECON_HAS_CONVERTERS)
+  stream_recon_test(tool_converter_test
+    SOURCES tool_converter_test.cpp
+    LIBRARIES stream_recon::io GTest::gmock)
+  add_dependencies(tool_converter_test slices-to-points stream-recon)
+  target_compile_definitions(tool_converter_test PRIVATE
+    STREAM_RECON_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  find_package(ZLIB REQUIRED)
+  target_link_libraries(tool_converter_test PRIVATE ZLIB::ZLIB)
   stream_recon_test(tool_slices_test
     SOURCES tool_image_stack_test.cpp tool_raw_volume_test.cpp
       tool_shared_volumes_test.cpp tool_volume_file_test.cpp
