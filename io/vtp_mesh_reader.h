@@ -33,7 +33,7 @@ struct VtpMeshSize {
   bool has_global_ids = false;
 
   /// What read_vtp_mesh() holds at most, bytes.
-  std::uint64_t memory_bytes() const { return 96 * points + 80 * triangles; }
+  std::uint64_t memory_bytes() const { return 72 * points + 68 * triangles; }
 };
 
 /// Reads no more than the XML where the arrays are appended. \throw InputError, IoError

@@ -42,7 +42,7 @@ void add_options(CLI::App& app, CommandLine& line) {
                  fmt::format("What must hold, else exit code 1; of {}",
                              fmt::join(requirement_names(), ", ")))
       ->delimiter(',')
-      ->expected(1)
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(requirement_names()))
       ->option_text("LIST");
   app.add_option("--memory", read_size,

@@ -72,16 +72,17 @@ class ExternalSort {
 
   /// Three runs at a time, and one that is written.
   static constexpr std::uint64_t least_memory() {
-    return RunMerger<Record>::memory(3) + record_file_memory(kRunBlock);
+    return 3 * kReaderMemory + record_file_memory(kRunBlock);
   }
 
  private:
   static constexpr std::uint64_t kBatch = 1 << 13;
+  static constexpr std::uint64_t kReaderMemory = record_cursor_memory(kRunBlock) + kRunBlock;
 
   std::uint64_t fan_in() const {
     const std::uint64_t packing = blocks_ * record_file_memory(kRunBlock);
     const std::uint64_t left = memory_.bytes() - std::min(memory_.bytes(), packing);
-    return std::max<std::uint64_t>(2, left / RunMerger<Record>::memory(1));
+    return std::max<std::uint64_t>(2, left / kReaderMemory);
   }
 
   void sort_buffer() {

@@ -20,7 +20,7 @@ namespace {
 
 /// The process before and beside all reservations: code, libraries, stacks, small blocks, and a
 /// share for each thread.
-constexpr std::uint64_t kProcessBytes = std::uint64_t{16} << 20;
+constexpr std::uint64_t kProcessBytes = std::uint64_t{12} << 20;
 constexpr std::uint64_t kThreadBytes = std::uint64_t{1} << 18;
 /// What grows with the mesh (labels, rings, components) gets this part of the free memory at least.
 constexpr std::uint64_t kGrowingPart = 6;

@@ -4,7 +4,7 @@
 // and volumes are made in the order of the file. Peak resident memory stays below memory_bytes.
 // Memory: at least 40 MB; beside it what a chunk takes (a .pvtp of 100,000 points a chunk about 25
 // MB), 4 bytes for each piece of 32,768 triangles that does not hang together (at most a triangle;
-// ComponentLabels), 48 bytes a component, 12 bytes a vertex on the boundary, 100 bytes a
+// ComponentLabels), 48 bytes a component, 12 bytes a vertex on the boundary, 200 bytes a
 // triangle of the largest star. Disk: at most about 150 bytes a triangle, usually a third of it.
 // Cost: about 1 us a triangle. Thread rule: one check at a time in a process.
 #pragma once

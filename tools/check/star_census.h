@@ -1,6 +1,6 @@
 // Counts vertices and edges from the stars of all vertices, and finds which labels are one.
 //
-// Thread rule: one thread. Memory: 100 bytes a triangle of the largest star; boundary rings.
+// Thread rule: one thread. Memory: 200 bytes a triangle of the largest star; boundary rings.
 #pragma once
 
 #include "engine/order/external_sort.h"
