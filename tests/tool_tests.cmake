@@ -21,6 +21,10 @@ stream_recon_test(tool_preview_test
 find_package(PNG REQUIRED)
 target_link_libraries(tool_preview_test PRIVATE PNG::PNG)
 
+stream_recon_test(tool_check_test PARALLEL
+  SOURCES tool_check_test.cpp
+  LIBRARIES stream_recon_check)
+
 stream_recon_test(tool_programs_test
   SOURCES tool_programs_test.cpp
   LIBRARIES stream_recon::io)
