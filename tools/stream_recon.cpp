@@ -158,7 +158,8 @@ void write_html(const CommandLine& line, const Report& report) {
   }
   if (line.run.resume) {
     page.note =
-        "Run with --resume: times, stages and memory are those of the last part of the run.";
+        "Run with --resume: where it went on from an earlier run, times, stages and memory are "
+        "those of the last part.";
   }
   if (has_surface && line.run.output != "-") {
     page.pictures = html::draw_run_pictures(line.run.output, report.memory_budget_bytes);
@@ -204,6 +205,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("stream-recon {}", version()));
   CommandLine line;
   line.words.assign(argv, argv + argc);
+  line.words.front() = "stream-recon";
   add_input_options(app, line);
   add_surface_options(app, line);
   add_resource_options(app, line);

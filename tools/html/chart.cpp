@@ -25,10 +25,17 @@ std::string hex(const Rgb& color) {
   return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
 }
 
-std::string short_count(double value) {
-  if (value >= 1e6) return fmt::format("{:g} M", value / 1e6);
-  if (value >= 1e4) return fmt::format("{:g} k", value / 1e3);
-  return fmt::format("{:g}", value);
+std::string count_text(double value) {
+  if (value >= 1e7) return fmt::format("{:g} M", value / 1e6);
+  return count(static_cast<std::uint64_t>(value));
+}
+
+/// Ticks are whole in the unit of the largest.
+std::string memory_text(double value, double step) {
+  if (value == 0) return "0";
+  constexpr double kKibi = 1024;
+  if (step >= kKibi * kKibi * kKibi) return fmt::format("{:g} GiB", value / kKibi / kKibi / kKibi);
+  return fmt::format("{:g} MiB", value / kKibi / kKibi);
 }
 
 }  // namespace
@@ -43,11 +50,12 @@ std::string memory_chart(const Report& report) {
   }
   const bool is_near = budget > 0 && budget < kNear * peak;
   const double top = 1.1 * (is_near ? std::max(budget, peak) : peak);
+  const double step = binary_step(top);
   Plot plot({.x_end = end,
              .y_end = top,
              .x_text = [](double s) { return s == 0 ? "0" : fmt::format("{:g} s", s); },
-             .y_text = [](double b) { return bytes(static_cast<std::uint64_t>(b)); },
-             .y_step = binary_step(top),
+             .y_text = [step](double value) { return memory_text(value, step); },
+             .y_step = step,
              .title = "Resident memory over time"});
   bool is_odd = false;
   for (const StageReport& stage : report.stages) {
@@ -73,7 +81,7 @@ std::string delta_chart(const DeltaHistogram& histogram) {
   Plot plot({.x_end = static_cast<double>(degrees),
              .y_end = top,
              .x_text = [](double d) { return fmt::format("{:g}°", d); },
-             .y_text = short_count,
+             .y_text = count_text,
              .x_step = degrees / 6.0,
              .y_step = std::max(1.0, round_step(top, 4)),
              .title = "Number of triangles by angle Delta"});

@@ -67,8 +67,10 @@ tbody th { color: var(--soft); padding-right: 1rem; }
 code { display: block; overflow-wrap: anywhere; }
 .hint { margin: 0.5rem 0 0; color: var(--soft); font-size: 0.85rem; }
 footer { margin-top: 1.5rem; color: var(--soft); font-size: 0.85rem; }
-@media (max-width: 760px) {
-  .tiles, .pair, .pictures { grid-template-columns: 1fr 1fr; }
+@media (max-width: 960px) { .charts { grid-template-columns: 1fr; } }
+@media (max-width: 640px) {
+  body { padding: 1.5rem 0.75rem 2rem; }
+  .tiles { grid-template-columns: 1fr 1fr; }
   .pair, .pictures { grid-template-columns: 1fr; }
 }
 @media print {

@@ -38,6 +38,29 @@ std::string pair(const std::string& left, const std::string& right) {
   return "<div class=\"pair\">\n" + left + right + "</div>\n";
 }
 
+/// A word as a shell would need it typed.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_=+.,:/@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      text += "'\\''";
+    } else {
+      text += c;
+    }
+  }
+  text += '\'';
+  return text;
+}
+
+std::string command(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted(word);
+  return escape(line);
+}
+
 std::string hash(const std::string& digest) {
   return "<span class=\"hash\">" + escape(digest) + "</span>";
 }
@@ -80,7 +103,7 @@ std::string tiles(const Report& report) {
          tile(duration(report.seconds),
               count(static_cast<std::uint64_t>(rate)) + " points a second") +
          tile(bytes(report.peak_rss_bytes),
-              "peak memory of " + bytes(report.memory_budget_bytes) + " allowed") +
+              "of " + bytes(report.memory_budget_bytes) + " memory at the peak") +
          "</div>\n";
 }
 
@@ -133,10 +156,12 @@ std::string stages(const Report& report) {
 std::string charts(const Report& report) {
   const std::string memory = section("Memory over time", memory_chart(report));
   if (!has_surface(report)) return memory;
-  return pair(memory, section("Triangles by angle Delta",
-                              delta_chart(report.surface.delta_histogram) +
-                                  "<p class=\"hint\">Delta is the angle at which the empty balls "
-                                  "of a triangle meet.</p>\n"));
+  const std::string delta =
+      section("Triangles by angle Delta",
+              delta_chart(report.surface.delta_histogram) +
+                  "<p class=\"hint\">Delta is the angle at which the two empty balls of a triangle "
+                  "meet.</p>\n");
+  return "<div class=\"pair charts\">\n" + memory + delta + "</div>\n";
 }
 
 std::string surface_figures(const Report& report) {
@@ -146,7 +171,7 @@ std::string surface_figures(const Report& report) {
       .add("vertices", count(surface.vertices))
       .add("triangles", count(surface.triangles))
       .add("boundary edges", count(surface.boundary_edges))
-      .add("edges of three and more", count(surface.nonmanifold_edges))
+      .add("edges of 3 or more triangles", count(surface.nonmanifold_edges))
       .add("Euler characteristic", count(surface.euler))
       .add("digest", hash(surface.digest))
       .section("Surface");
@@ -217,7 +242,7 @@ std::string run_page(const RunPage& page) {
              title(page), kPageStyle) +
          head(page) + tiles(page.report) + pictures(page.pictures) + charts(page.report) +
          stages(page.report) + figures(page.report) +
-         section("Command", "<code>" + joined(page.command, " ") + "</code>\n") +
+         section("Command", "<code>" + command(page.command) + "</code>\n") +
          "</main>\n</body>\n</html>\n";
 }
 

@@ -12,13 +12,15 @@
 namespace stream_recon::html {
 namespace {
 
-constexpr double kWidth = 1000;
-constexpr double kHeight = 700;
+constexpr double kWidth = 800;
+constexpr double kHeight = 800;
+constexpr double kStripWidth = 1050;  // three views side by side
+constexpr double kStripHeight = 420;
 constexpr double kLeastShare = 0.25;  // of the sides; smaller ones show nothing
 
-constexpr std::uint64_t kPixelBytes = 110;     // buffers, and the PNG beside its text
-constexpr std::uint64_t kTriangleBytes = 200;  // of a chunk while it is read and drawn
-constexpr std::uint64_t kFixedBytes = std::uint64_t{10} << 20;
+constexpr std::uint64_t kPixelBytes = 85;      // buffers, and the PNGs made before
+constexpr std::uint64_t kTriangleBytes = 120;  // of a chunk while it is read and drawn
+constexpr std::uint64_t kFixedBytes = std::uint64_t{6} << 20;
 constexpr std::uint64_t kFileBytes = std::uint64_t{16} << 20;  // a part of a single file
 
 std::uint64_t triangles_of(const std::string& chunk) {
@@ -65,15 +67,18 @@ std::vector<RunPicture> draw_all(const std::string& output, double share) {
                          .background = Background::transparent(),
                          .has_legend = false};
   std::vector<RunPicture> pictures;
-  pictures.push_back(draw({output, {}}, options, "The surface, from the front right and above"));
+  pictures.push_back(draw({output, {}}, options, "From the front right and above"));
   if (has_delta) {
     pictures.push_back(draw({output, {ColorBy::kDelta, {}}}, options,
-                            "Coloured by the angle Delta of its triangles, as in the chart"));
+                            "Coloured by the angle Delta of the triangles, as in the chart"));
+  } else {
+    options.views = parse_views("145,20");
+    pictures.push_back(draw({output, {}}, options, "From the back left and above"));
   }
-  options.views = parse_views(has_delta ? "front,left,top" : "145,20");
-  if (has_delta) options.height = options.height * 3 / 5;
-  pictures.push_back(
-      draw({output, {}}, options, has_delta ? "From three sides" : "From the back left and above"));
+  options.views = parse_views("front,left,top");
+  options.width = static_cast<std::size_t>(share * kStripWidth);
+  options.height = static_cast<std::size_t>(share * kStripHeight);
+  pictures.push_back(draw({output, {}}, options, "From the front, the left and the top"));
   return pictures;
 }
 

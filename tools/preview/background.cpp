@@ -7,7 +7,8 @@
 namespace stream_recon {
 
 Rgb Background::ink() const {
-  if (is_transparent_ || lightness_of(color_at(0.5F)) > 0.55) return {52, 58, 66};
+  if (is_transparent_) return {128, 134, 142};
+  if (lightness_of(color_at(0.5F)) > 0.55) return {52, 58, 66};
   return {226, 230, 235};
 }
 

@@ -19,7 +19,7 @@ class Background {
   /// \param height 0 at the bottom, 1 at the top
   Color color_at(float height) const { return height * top_ + (1 - height) * bottom_; }
   bool is_transparent() const { return is_transparent_; }
-  /// What can be read on it; a transparent one is taken for light.
+  /// What can be read on it; on a transparent one grey, for light and dark pages.
   Rgb ink() const;
 
  private:

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "io/error.h"
-#include "io/number_text.h"
 #include "io/text_reader.h"
 #include "io/vtk_legacy_header.h"
+#include "io/vtk_legacy_scanner.h"
 #include "tools/preview/face_batch.h"
 #include "tools/preview/mesh_parts.h"
 
@@ -28,7 +28,8 @@ struct VtkLayout {
 
 class LayoutReader {
  public:
-  explicit LayoutReader(const std::string& path) : source_(path), text_(source_) {}
+  explicit LayoutReader(const std::string& path)
+      : source_(path), text_(source_), scanner_(source_, text_) {}
 
   /// Nothing if the points are not followed by polygons.
   std::optional<VtkLayout> read() {
@@ -46,6 +47,7 @@ class LayoutReader {
     if (!word_is("POLYGONS")) return std::nullopt;
     layout.polygons = count();
     const std::uint64_t numbers = count();
+    scanner_.end_line();
     if (source_.peek(7).starts_with("OFFSETS")) {
       source_.fail("polygons as version 5.1 has them are not drawn; write version 4.2, or .vtp");
     }
@@ -71,6 +73,7 @@ class LayoutReader {
       const bool is_single = text_.next_word() == "1" && count() == layout.polygons;
       const std::string type(text_.next_word());
       const bool is_float = type == "float";
+      scanner_.end_line();
       if (!is_single || (!is_float && type != "unsigned_char")) return;
       const std::uint64_t at = source_.offset();
       if (name == "Delta" && is_float) layout.delta_offset = at;
@@ -86,13 +89,14 @@ class LayoutReader {
   }
 
   std::uint64_t count() {
-    const auto number = whole_count(text_.next_word());
-    if (!number || *number > UINT32_MAX) source_.fail("no possible count; correct the VTK file");
-    return *number;
+    const std::uint64_t number = scanner_.take_count();
+    if (number > UINT32_MAX) source_.fail("no possible count; correct the VTK file");
+    return number;
   }
 
   ByteSource source_;
   TextReader text_;
+  VtkLegacyScanner scanner_;
 };
 
 class VtkFaces final : public MeshParts {
