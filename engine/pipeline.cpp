@@ -6,6 +6,7 @@
 #include "engine/alpha/alpha_filter.h"
 #include "engine/disk_estimate.h"
 #include "engine/gamma/gamma_filter.h"
+#include "engine/memory_trace.h"
 #include "engine/order/hilbert_sort.h"
 #include "engine/order/ingest.h"
 #include "engine/stage_log.h"
@@ -65,6 +66,7 @@ class Pipeline {
     }
     report_input(cloud, order);
     report_.stages = log_.stages();
+    report_.memory_over_time = trace_.stop();
     report_.seconds = log_.seconds();
   }
 
@@ -136,6 +138,7 @@ class Pipeline {
     report_.surface.nonmanifold_edges = counts.nonmanifold_edges;
     report_.surface.euler = counts.euler();
     report_.surface.digest = counts.digest.hex();
+    report_.surface.delta_histogram = counts.delta_histogram;
   }
 
   void report_input(const CloudSummary& cloud, const OrderResult& order) {
@@ -169,6 +172,7 @@ class Pipeline {
   RunJournal& journal_;
   Report& report_;
   StageLog log_;
+  MemoryTrace trace_;
 };
 
 }  // namespace

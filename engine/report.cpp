@@ -7,12 +7,42 @@
 #include "io/file.h"
 
 namespace stream_recon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Puts lists of numbers on one line, which the library would break after each number.
+std::string dump(Json json, const std::vector<Json::json_pointer>& lists) {
+  std::vector<std::string> lines;
+  for (const auto& list : lists) {
+    lines.push_back(json[list].dump());
+    json[list] = "list " + list.to_string();
+  }
+  std::string text = json.dump(2);
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    const std::string mark = "\"list " + lists[i].to_string() + "\"";
+    text.replace(text.find(mark), mark.size(), lines[i]);
+  }
+  return text;
+}
+
+Json memory_json(const std::vector<MemorySample>& samples) {
+  Json seconds = Json::array();
+  Json bytes = Json::array();
+  for (const MemorySample& sample : samples) {
+    seconds.push_back(sample.seconds);
+    bytes.push_back(sample.resident_bytes);
+  }
+  return {{"seconds", std::move(seconds)}, {"resident_bytes", std::move(bytes)}};
+}
+
+}  // namespace
 
 std::string to_json(const Report& report) {
-  using Json = nlohmann::ordered_json;
   Json stages = Json::array();
   for (const StageReport& stage : report.stages) {
     stages.push_back({{"name", stage.name},
+                      {"start_seconds", stage.start_seconds},
                       {"seconds", stage.seconds},
                       {"bytes_read", stage.bytes_read},
                       {"bytes_written", stage.bytes_written}});
@@ -32,7 +62,8 @@ std::string to_json(const Report& report) {
         {"digest", report.surface.digest},
         {"boundary_edges", report.surface.boundary_edges},
         {"nonmanifold_edges", report.surface.nonmanifold_edges},
-        {"euler", report.surface.euler}}},
+        {"euler", report.surface.euler},
+        {"delta_histogram", report.surface.delta_histogram}}},
       {"windows",
        {{"count", report.windows.count},
         {"splits", report.windows.splits},
@@ -48,9 +79,13 @@ std::string to_json(const Report& report) {
       {"stages", std::move(stages)},
       {"threads", report.threads},
       {"memory_budget_bytes", report.memory_budget_bytes},
+      {"memory_over_time", memory_json(report.memory_over_time)},
   };
   if (report.input.spacing) json["input"]["spacing"] = *report.input.spacing;
-  return json.dump(2) + "\n";
+  using Pointer = Json::json_pointer;
+  return dump(json, {Pointer("/surface/delta_histogram"), Pointer("/memory_over_time/seconds"),
+                     Pointer("/memory_over_time/resident_bytes")}) +
+         "\n";
 }
 
 void write_report(const Report& report, const std::string& path) {

@@ -14,10 +14,19 @@ namespace stream_recon {
 
 struct StageReport {
   std::string name;
+  double start_seconds = 0;  ///< since the run's start
   double seconds = 0;
   std::uint64_t bytes_read = 0;
   std::uint64_t bytes_written = 0;
 };
+
+struct MemorySample {
+  double seconds = 0;  ///< since the run's start
+  std::uint64_t resident_bytes = 0;
+};
+
+/// How many triangles have an angle Delta in each degree: [0, 1), [1, 2), ... [179, 180].
+using DeltaHistogram = std::array<std::uint64_t, 180>;
 
 struct Report {
   struct {
@@ -39,6 +48,7 @@ struct Report {
     std::uint64_t boundary_edges = 0;     ///< edges of one triangle
     std::uint64_t nonmanifold_edges = 0;  ///< edges of three and more
     std::int64_t euler = 0;               ///< vertices - edges + triangles
+    DeltaHistogram delta_histogram{};
   } surface;
   struct {
     std::uint64_t count = 0;
@@ -54,12 +64,13 @@ struct Report {
   std::uint64_t scratch_peak_bytes = 0;
   double seconds = 0;
   std::vector<StageReport> stages;
+  std::vector<MemorySample> memory_over_time;  ///< at most 512, while the stages ran
   unsigned threads = 0;
   std::uint64_t memory_budget_bytes = 0;
   std::string version;
 };
 
-/// Indented JSON with a final newline.
+/// Indented JSON with a final newline; lists of numbers take a line each.
 std::string to_json(const Report& report);
 
 /// Puts the JSON under `path`, complete or not at all; "-" is standard output. \throw IoError

@@ -19,7 +19,7 @@ class StageLog {
   /// Runs `work` as the stage `name` and returns its result.
   template <class Work>
   auto run(std::string name, const Work& work) {
-    const Stage stage(stages_, std::move(name));
+    const Stage stage(stages_, std::move(name), seconds());
     return work();
   }
 
@@ -38,11 +38,11 @@ class StageLog {
 
   class Stage {
    public:
-    Stage(std::vector<StageReport>& stages, std::string name)
-        : stages_(stages), name_(std::move(name)) {}
+    Stage(std::vector<StageReport>& stages, std::string name, double start_seconds)
+        : stages_(stages), name_(std::move(name)), start_seconds_(start_seconds) {}
     ~Stage() {
       const IoTotals now = io_totals();
-      stages_.push_back({std::move(name_), seconds_since(began_),
+      stages_.push_back({std::move(name_), start_seconds_, seconds_since(began_),
                          now.bytes_read - before_.bytes_read,
                          now.bytes_written - before_.bytes_written});
     }
@@ -52,6 +52,7 @@ class StageLog {
    private:
     std::vector<StageReport>& stages_;
     std::string name_;
+    double start_seconds_;
     IoTotals before_ = io_totals();
     Clock::time_point began_ = Clock::now();
   };

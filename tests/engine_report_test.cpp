@@ -15,7 +15,7 @@ namespace {
 TEST(Report, HasTheKeysOfTheContract) {
   Report report;
   report.surface.euler = -82;
-  report.stages.push_back({"ingest", 0.5, 100, 200});
+  report.stages.push_back({"ingest", 0, 0.5, 100, 200});
   const auto json = nlohmann::json::parse(to_json(report));
   for (const char* key : {"/input/points",
                           "/input/duplicates",

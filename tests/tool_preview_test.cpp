@@ -55,7 +55,7 @@ class Preview : public testing::Test {
   }
 
   static Picture draw(const std::string& path, const char* view = "front") {
-    return draw_preview(path, {160, 120, parse_view(view)});
+    return draw_preview({{path, {}}}, {.width = 160, .height = 120, .views = parse_views(view)});
   }
 
   TestFolder folder_;
@@ -142,8 +142,8 @@ TEST_F(Preview, WhatCannotBeDrawnIsRefused) {
   EXPECT_THROW(draw(empty), InputError);
   EXPECT_THROW(draw(folder_ / "missing.pvtp"), IoError);
   const std::string path = write_sphere(2);
-  EXPECT_THROW(draw_preview(path, {0, 100, View{}}), std::invalid_argument);
-  EXPECT_THROW(draw_preview(path, {100, 20000, View{}}), std::invalid_argument);
+  EXPECT_THROW(draw_preview({{path, {}}}, {.width = 0, .height = 100}), std::invalid_argument);
+  EXPECT_THROW(draw_preview({{path, {}}}, {.width = 100, .height = 20000}), std::invalid_argument);
   std::filesystem::remove(folder_ / "sphere2/chunk_000001.vtp");
   EXPECT_THROW(draw(path), IoError);
 }

@@ -16,10 +16,18 @@ stream_recon_test(tool_radix_sort_test
   SOURCES tool_radix_sort_test.cpp
   LIBRARIES stream_recon_kernel_bench)
 stream_recon_test(tool_preview_test
-  SOURCES tool_depth_buffer_test.cpp tool_preview_test.cpp
+  SOURCES tool_depth_buffer_test.cpp tool_preview_color_test.cpp tool_preview_formats_test.cpp
+    tool_preview_reference_test.cpp tool_preview_scene_test.cpp tool_preview_test.cpp
   LIBRARIES stream_recon_preview)
 find_package(PNG REQUIRED)
 target_link_libraries(tool_preview_test PRIVATE PNG::PNG)
+target_compile_definitions(tool_preview_test PRIVATE
+  STREAM_RECON_PICTURES="${CMAKE_CURRENT_SOURCE_DIR}/pictures"
+  STREAM_RECON_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+add_dependencies(tool_preview_test mesh-preview make-cloud stream-recon)
+stream_recon_test(tool_html_test
+  SOURCES tool_html_test.cpp
+  LIBRARIES stream_recon_html GTest::gmock)
 
 stream_recon_test(tool_check_test PARALLEL
   SOURCES tool_check_test.cpp

@@ -10,6 +10,8 @@
 #include "engine/reconstruct.h"
 #include "engine/size_text.h"
 #include "engine/version.h"
+#include "io/atomic_output.h"
+#include "tools/html/run_page.h"
 #include "tools/run_tool.h"
 
 namespace {
@@ -23,7 +25,9 @@ struct CommandLine {
   RunOptions run;
   std::string surface = "gamma";
   std::string report;
+  std::string html;
   std::string medial_axis;
+  std::vector<std::string> words;  ///< all of them, as typed
 };
 
 void add_input_options(CLI::App& app, CommandLine& line) {
@@ -100,6 +104,9 @@ void add_report_options(CLI::App& app, CommandLine& line) {
   line.run.progress = ProgressStyle::kAuto;
   app.add_option("--report", line.report, "Counts, digests, memory and times, as JSON")
       ->option_text("FILE");
+  app.add_option("--html", line.html,
+                 "The report as a page to read: figures, charts, pictures; one file, no script")
+      ->option_text("FILE");
   app.add_option("--progress", line.run.progress,
                  "auto (default: a bar on a terminal), bar, json or none; on standard error")
       ->transform(CLI::CheckedTransformer(styles))
@@ -127,6 +134,37 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
           "--delta-max is for --surface gamma; leave it out");
   require(line.run.output != "-" || line.report != "-",
           "-o - and --report - both want standard output; give one of them a file");
+  require(line.html != "-" || (line.run.output != "-" && line.report != "-"),
+          "--html - wants standard output for itself; give the page a file");
+  require(line.html.empty() || line.html == "-" || line.html != line.report,
+          "--html and --report name the same file; give one of them another name");
+}
+
+/// Finds out before the work whether the page can be written.
+void try_html(const std::string& path) {
+  if (!path.empty() && path != "-") AtomicOutput{path};
+}
+
+void write_html(const CommandLine& line, const Report& report) {
+  html::RunPage page{.report = report,
+                     .inputs = line.run.inputs,
+                     .outputs = {},
+                     .command = line.words,
+                     .note = {},
+                     .pictures = {}};
+  const bool has_surface = line.run.surface != SurfaceKind::kNone;
+  for (const std::string& output : {has_surface ? line.run.output : "", line.run.tetrahedra}) {
+    if (!output.empty()) page.outputs.push_back(output == "-" ? "standard output" : output);
+  }
+  if (line.run.resume) {
+    page.note =
+        "Run with --resume: where it went on from an earlier run, times, stages and memory are "
+        "those of the last part.";
+  }
+  if (has_surface && line.run.output != "-") {
+    page.pictures = html::draw_run_pictures(line.run.output, report.memory_budget_bytes);
+  }
+  html::write_run_page(page, line.html);
 }
 
 void reconstruct_and_report(CommandLine& line, StopRequest& stop) {
@@ -138,8 +176,10 @@ void reconstruct_and_report(CommandLine& line, StopRequest& stop) {
   if (line.run.surface == SurfaceKind::kNone && !line.run.output.empty()) {
     spdlog::warn("--surface none makes no surface: nothing is written to {}", line.run.output);
   }
+  try_html(line.html);
   const Report report = reconstruct(line.run);
   if (!line.report.empty()) write_report(report, line.report);
+  if (!line.html.empty()) write_html(line, report);
 }
 
 int run(CommandLine& line) {
@@ -164,6 +204,8 @@ int main(int argc, char** argv) {
                "stream-recon");
   app.set_version_flag("--version", fmt::format("stream-recon {}", version()));
   CommandLine line;
+  line.words.assign(argv, argv + argc);
+  line.words.front() = "stream-recon";
   add_input_options(app, line);
   add_surface_options(app, line);
   add_resource_options(app, line);

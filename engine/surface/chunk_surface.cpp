@@ -92,6 +92,7 @@ ChunkSurface ChunkSurfaceMaker::make(std::uint64_t chunk) const {
     result.chunk.vertex_numbers = numbering_->numbers_of(chunk, facets.vertices);
   }
   result.counts.digest = digest_of(result.chunk);
+  result.counts.add_deltas(result.chunk.delta);
   return result;
 }
 

@@ -1,6 +1,8 @@
 // A depth buffer at half its resolution: the nearest sample of each 2 x 2, lengths in cells.
 //
-// Memory: 16 bytes a cell. Thread rule: const after construction.
+// Points have no normals: theirs is that of the plane through the depths around, those about as far
+// away as themselves. Memory: 16 bytes a cell, 8 more for points while it is made. Thread rule:
+// const after construction.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +26,8 @@ class Cells {
   bool is_empty(std::size_t x, std::size_t y) const { return depth(x, y) == DepthBuffer::kNothing; }
 
  private:
-  void take_nearest(const DepthBuffer& buffer, std::size_t x, std::size_t y);
+  /// Whether the nearest sample has a normal.
+  bool take_nearest(const DepthBuffer& buffer, std::size_t x, std::size_t y);
 
   std::size_t width_;
   std::size_t height_;

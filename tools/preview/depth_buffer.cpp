@@ -7,6 +7,7 @@ namespace stream_recon {
 namespace {
 
 constexpr float kUnit = 32767;
+constexpr float kBulge = 0.3F;  // so that of two discs at a depth the nearer centre is seen
 
 /// Sample centres (i + 0.5) between low and high, inside [0, size).
 struct SampleRange {
@@ -38,9 +39,13 @@ Vector3f blend(const std::array<ScreenVertex, 3>& triangle, const std::array<flo
 }  // namespace
 
 DepthBuffer::DepthBuffer(std::size_t width, std::size_t height)
-    : width_(width), height_(height), depths_(width * height, kNothing), normals_(width * height) {}
+    : width_(width),
+      height_(height),
+      depths_(width * height, kNothing),
+      normals_(width * height),
+      paints_(width * height) {}
 
-void DepthBuffer::draw(const std::array<ScreenVertex, 3>& triangle) {
+void DepthBuffer::draw(const std::array<ScreenVertex, 3>& triangle, Paint paint) {
   const auto& [a, b, c] = triangle;
   const double area = edge(a.position, b.position, c.position.x, c.position.y);
   if (area == 0 || !std::isfinite(area)) return;
@@ -62,6 +67,7 @@ void DepthBuffer::draw(const std::array<ScreenVertex, 3>& triangle) {
       const std::size_t at = row * width_ + column;
       if (!(depth > depths_[at])) continue;
       depths_[at] = depth;
+      paints_[at] = paint;
       const Vector3f n = blend(triangle, weight);
       const float length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
       if (length == 0) continue;
@@ -71,7 +77,28 @@ void DepthBuffer::draw(const std::array<ScreenVertex, 3>& triangle) {
   }
 }
 
+void DepthBuffer::draw_disc(const Vector3f& center, float radius, Paint paint) {
+  if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z)) return;
+  const SampleRange columns(center.x - radius, center.x + radius, width_);
+  const SampleRange rows(center.y - radius, center.y + radius, height_);
+  for (std::size_t row = rows.begin; row < rows.end; ++row) {
+    for (std::size_t column = columns.begin; column < columns.end; ++column) {
+      const float dx = static_cast<float>(column) + 0.5F - center.x;
+      const float dy = static_cast<float>(row) + 0.5F - center.y;
+      const float square = dx * dx + dy * dy;
+      if (square > radius * radius) continue;
+      const float depth = center.z - kBulge * square / radius;
+      const std::size_t at = row * width_ + column;
+      if (!(depth > depths_[at])) continue;
+      depths_[at] = depth;
+      paints_[at] = paint;
+      normals_[at] = {kUnknown, 0};
+    }
+  }
+}
+
 Vector3f DepthBuffer::normal(std::size_t x, std::size_t y) const {
+  if (!has_normal(x, y)) return {0, 0, 1};
   const PackedNormal packed = normals_[y * width_ + x];
   const float nx = static_cast<float>(packed.x) / kUnit;
   const float ny = static_cast<float>(packed.y) / kUnit;

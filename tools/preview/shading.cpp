@@ -11,30 +11,13 @@
 namespace stream_recon {
 namespace {
 
-// Light adds up in linear colours; a square root makes them the screen's (gamma 2).
-struct Color {
-  float r = 0;
-  float g = 0;
-  float b = 0;
-
-  friend Color operator+(const Color& a, const Color& b) {
-    return {a.r + b.r, a.g + b.g, a.b + b.b};
-  }
-  friend Color operator*(const Color& a, const Color& b) {
-    return {a.r * b.r, a.g * b.g, a.b * b.b};
-  }
-  friend Color operator*(float s, const Color& c) { return {s * c.r, s * c.g, s * c.b}; }
-};
-
-constexpr Color kSurface{0.84F, 0.63F, 0.50F};
 constexpr Color kKeyLight{0.98F, 0.93F, 0.86F};
 constexpr Color kFillLight{0.13F, 0.16F, 0.21F};
 constexpr Color kSkyLight{0.24F, 0.25F, 0.28F};
 constexpr Color kHighlight{0.10F, 0.10F, 0.10F};
-constexpr Color kTop{0.93F, 0.94F, 0.96F};
-constexpr Color kBottom{0.66F, 0.69F, 0.74F};
 
-constexpr float kSameSurface = 4;  // cells behind the nearest sample of a cell
+constexpr float kSameSurface = 4;   // cells behind the nearest sample of a cell
+constexpr float kFarthest = 0.55F;  // light of the farthest point
 
 constexpr Vector3f kKeyDirection{-0.442F, 0.590F, 0.676F};
 constexpr Vector3f kFillDirection{0.808F, 0.101F, 0.580F};
@@ -55,75 +38,106 @@ float sharpen(float x) {
   return x;
 }
 
-Color light_at(const Vector3f& normal, float openness) {
+Color light_at(const Color& surface, const Vector3f& normal, float openness) {
   const float sky = 0.55F + 0.45F * normal.y;
   const float shadow = 0.25F + 0.75F * openness;
   const Color diffuse = (shadow * lit(normal, kKeyDirection)) * kKeyLight +
                         (shadow * lit(normal, kFillDirection)) * kFillLight +
                         (openness * sky) * kSkyLight;
-  return kSurface * diffuse + (shadow * sharpen(lit(normal, kKeyHalfway))) * kHighlight;
-}
-
-/// \param height 0 at the bottom, 1 at the top
-Color background_at(float height) {
-  return height * kTop + (1 - height) * kBottom;
-}
-
-std::uint8_t to_byte(float linear) {
-  return static_cast<std::uint8_t>(std::lround(255 * std::sqrt(std::clamp(linear, 0.0F, 1.0F))));
+  return surface * diffuse + (shadow * sharpen(lit(normal, kKeyHalfway))) * kHighlight;
 }
 
 /// Shades the samples of one cell after another.
 class Painter {
  public:
-  explicit Painter(const DepthBuffer& buffer)
+  Painter(const DepthBuffer& buffer, const ShadeOptions& options)
       : buffer_(buffer),
+        options_(options),
         cells_(buffer),
         visibility_(sky_visibility(cells_)),
-        normals_(smooth_normals(cells_)) {}
+        normals_(smooth_normals(cells_)) {
+    find_depths();
+  }
 
   Picture paint() const {
     Picture picture(cells_.width(), cells_.height());
     for (std::size_t y = 0; y < cells_.height(); ++y) {
+      const std::size_t row = cells_.height() - 1 - y;
+      const float height = (static_cast<float>(y) + 0.5F) / static_cast<float>(cells_.height());
+      const Color behind = options_.background.color_at(height);
       for (std::size_t x = 0; x < cells_.width(); ++x) {
-        const Color mean = 0.25F * sum_of_samples(x, y);
-        picture.at(x, cells_.height() - 1 - y) = {to_byte(mean.r), to_byte(mean.g),
-                                                  to_byte(mean.b)};
+        const Light light = sum_of_samples(x, y);
+        if (!options_.background.is_transparent()) {
+          picture.at(x, row) =
+              to_bytes(0.25F * (light.sum + static_cast<float>(4 - light.samples) * behind));
+          continue;
+        }
+        if (light.samples > 0) {
+          picture.at(x, row) = to_bytes(1 / static_cast<float>(light.samples) * light.sum);
+        }
+        picture.opacity(x, row) = static_cast<std::uint8_t>(light.samples * 255 / 4);
       }
     }
     return picture;
   }
 
  private:
-  Color sum_of_samples(std::size_t x, std::size_t y) const {
-    const std::size_t at = y * cells_.width() + x;
-    const float height = (static_cast<float>(y) + 0.5F) / static_cast<float>(cells_.height());
-    const float openness = visibility_[at] * visibility_[at];
+  /// Of the samples of a cell where something is.
+  struct Light {
     Color sum;
+    int samples = 0;
+  };
+
+  Light sum_of_samples(std::size_t x, std::size_t y) const {
+    const std::size_t at = y * cells_.width() + x;
+    const float openness = visibility_[at] * visibility_[at];
+    Light light;
     for (const std::size_t sy : {2 * y, 2 * y + 1}) {
       for (const std::size_t sx : {2 * x, 2 * x + 1}) {
         const float depth = buffer_.depth(sx, sy);
-        if (depth == DepthBuffer::kNothing) {
-          sum = sum + background_at(height);
-          continue;
-        }
+        if (depth == DepthBuffer::kNothing) continue;
         const bool same_surface = cells_.depth(x, y) - depth / 2 < kSameSurface;
-        sum = sum + light_at(same_surface ? normals_[at] : buffer_.normal(sx, sy), openness);
+        const Vector3f normal = same_surface ? normals_[at] : buffer_.normal(sx, sy);
+        const Color color = light_at(options_.palette[buffer_.paint(sx, sy)], normal, openness);
+        light.sum = light.sum + (buffer_.has_normal(sx, sy) ? 1 : fading(depth)) * color;
+        ++light.samples;
       }
     }
-    return sum;
+    return light;
+  }
+
+  void find_depths() {
+    nearest_ = DepthBuffer::kNothing;
+    farthest_ = -DepthBuffer::kNothing;
+    for (std::size_t y = 0; y < buffer_.height(); ++y) {
+      for (std::size_t x = 0; x < buffer_.width(); ++x) {
+        const float depth = buffer_.depth(x, y);
+        if (depth == DepthBuffer::kNothing) continue;
+        nearest_ = std::max(nearest_, depth);
+        farthest_ = std::min(farthest_, depth);
+      }
+    }
+  }
+
+  float fading(float depth) const {
+    const float range = nearest_ - farthest_;
+    if (!(range > 0)) return 1;
+    return kFarthest + (1 - kFarthest) * (depth - farthest_) / range;
   }
 
   const DepthBuffer& buffer_;
+  const ShadeOptions& options_;
   Cells cells_;
   std::vector<float> visibility_;
   std::vector<Vector3f> normals_;
+  float nearest_ = 0;
+  float farthest_ = 0;
 };
 
 }  // namespace
 
-Picture shade(const DepthBuffer& buffer) {
-  return Painter(buffer).paint();
+Picture shade(const DepthBuffer& buffer, const ShadeOptions& options) {
+  return Painter(buffer, options).paint();
 }
 
 }  // namespace stream_recon

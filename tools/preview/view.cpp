@@ -50,4 +50,25 @@ View parse_view(const std::string& text) {
   return {{ca, sa, 0}, {-sa * se, ca * se, ce}, {sa * ce, -ca * ce, se}};
 }
 
+std::vector<NamedView> parse_views(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (c == ',') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  const auto is_word = [](const std::string& word) {
+    return !word.empty() && word[0] >= 'a' && word[0] <= 'z';
+  };
+  std::vector<NamedView> views;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string name = words[i];
+    if (!is_word(name) && i + 1 < words.size()) name += "," + words[++i];
+    views.push_back({name, parse_view(name)});
+  }
+  return views;
+}
+
 }  // namespace stream_recon

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "spatial/point.h"
 
@@ -24,5 +25,14 @@ struct View {
 /// viewer walks from the front to the mesh's left, then climbs; -90 <= elevation <= 90.
 /// \throw std::invalid_argument
 View parse_view(const std::string& text);
+
+struct NamedView {
+  std::string name = "front";
+  View view;
+};
+
+/// Views separated by commas: "front,left,top"; two numbers in a row are angles.
+/// \throw std::invalid_argument
+std::vector<NamedView> parse_views(const std::string& text);
 
 }  // namespace stream_recon
