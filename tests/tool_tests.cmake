@@ -58,4 +58,18 @@ if(STREAM_RECON_CONVERTERS)
   find_package(JPEG REQUIRED)
   find_package(TIFF REQUIRED)
   target_link_libraries(tool_slices_test PRIVATE JPEG::JPEG PNG::PNG TIFF::TIFF ZLIB::ZLIB)
+
+  # The commands of the cookbook, a test for each recipe.
+  set(cookbook ${CMAKE_CURRENT_SOURCE_DIR}/cookbook.py)
+  set(recipes_of ${PROJECT_SOURCE_DIR}/docs/cookbook.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${recipes_of})
+  execute_process(COMMAND ${Python3_EXECUTABLE} ${cookbook} --list ${recipes_of}
+    OUTPUT_VARIABLE recipes OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\n" ";" recipes "${recipes}")
+  foreach(recipe ${recipes})
+    add_test(NAME "cookbook: ${recipe}" COMMAND Python3::Interpreter ${cookbook} ${recipes_of}
+      ${recipe} ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} ${PROJECT_SOURCE_DIR}/../shared/data)
+    set_tests_properties("cookbook: ${recipe}" PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+  endforeach()
+  add_test(NAME cookbook_check_can_fail COMMAND Python3::Interpreter ${cookbook} --self-check)
 endif()
