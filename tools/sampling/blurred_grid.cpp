@@ -10,6 +10,7 @@ namespace {
 
 std::vector<float> gaussian(double sigma, std::size_t radius) {
   std::vector<double> weights;
+  weights.reserve(2 * radius + 1);
   double sum = 0;
   for (std::size_t t = 0; t <= 2 * radius; ++t) {
     const double x = (static_cast<double>(t) - static_cast<double>(radius)) / sigma;
@@ -17,6 +18,7 @@ std::vector<float> gaussian(double sigma, std::size_t radius) {
     sum += weights.back();
   }
   std::vector<float> kernel;
+  kernel.reserve(weights.size());
   for (const double weight : weights) kernel.push_back(static_cast<float>(weight / sum));
   return kernel;
 }

@@ -1,4 +1,4 @@
-#include "tools/sampling/conversion.h"
+#include "tools/convert/conversion.h"
 
 #include <fmt/format.h>
 
