@@ -31,8 +31,10 @@ void add_input_options(CLI::App& app, CommandLine& line) {
       {"auto", InputFormat::kAuto}, {"ply", InputFormat::kPly}, {"xyz", InputFormat::kXyz},
       {"f32", InputFormat::kF32},   {"f64", InputFormat::kF64}, {"vtk", InputFormat::kVtk},
       {"vtp", InputFormat::kVtp}};
-  app.add_option("INPUT", line.run.inputs,
-                 "Point files, read one after the other; - is standard input")
+  app.add_option(
+         "INPUT", line.run.inputs,
+         "Point files (.ply, .xyz, .txt, .f32, .f64, .vtk, .vtp), read one after the other; - is "
+         "standard input")
       ->required();
   app.add_option("--input-format", line.run.input_format,
                  "auto, ply, xyz, f32, f64, vtk or vtp (default: auto)")
@@ -162,7 +164,6 @@ int run(CommandLine& line) {
 int main(int argc, char** argv) {
   CLI::App app("Surfaces from huge point clouds, exactly and in a fixed memory budget",
                "stream-recon");
-  app.set_version_flag("--version", fmt::format("stream-recon {}", version()));
   CommandLine line;
   add_input_options(app, line);
   add_surface_options(app, line);
