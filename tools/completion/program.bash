@@ -35,7 +35,7 @@ _stream_recon_words() {
 
 # Sets `words` to the words that a help lists under headings other than its own.
 _stream_recon_listed_words() {
-  local line in_list=
+  local line in_list=""
   words=()
   while IFS= read -r line; do
     case $line in
@@ -68,7 +68,7 @@ _stream_recon_files() {
 
 # Completes `current` to what an option or argument takes, from its value's name and description.
 _stream_recon_value() {
-  local value=${1%%=*} text=$2 before=
+  local value=${1%%=*} text=$2 before=""
   local -a words
   case $value in
     SIZE) words=(64M 128M 256M 512M 1G 2G 4G 8G 16G) ;;
@@ -98,11 +98,11 @@ _stream_recon_complete() {
   # "--option=value" comes as three words.
   if [[ $current == = ]]; then
     current=
-  elif [[ $previous == = && COMP_CWORD -gt 2 ]]; then
+  elif [[ $previous == = ]] && ((COMP_CWORD > 2)); then
     previous=${COMP_WORDS[COMP_CWORD - 2]}
   fi
 
-  local line next name value text argument_value= argument_text=
+  local line next name value text argument_value="" argument_text=""
   local -a options=() names
   local option='^  (-[^ ]+)( ([A-Z][^ ]*))?( REQUIRED)?(  +(.*))?$'
   local argument='^  ([^ -][^ ]*) ([A-Z][^ ]*)( \.\.\.)?( REQUIRED)?(  +(.*))?$'
