@@ -356,6 +356,66 @@ TEST_F(MeshCheck, WhatIsNoMeshIsRefused) {
   EXPECT_THROW(check(folder_ / "cube.pvtp"), IoError);
 }
 
+template <class T>
+void put_big_endian(std::string& bytes, T value) {
+  const auto* const begin = reinterpret_cast<const char*>(&value);
+  for (std::size_t i = sizeof(T); i-- > 0;) bytes += begin[i];
+}
+
+TEST_F(MeshCheck, PlyOfOtherWritersIsRead) {
+  const TestMesh mesh = cube();
+  std::string bytes =
+      "ply\nformat binary_big_endian 1.0\ncomment by another program\nelement camera 1\n"
+      "property list ushort double matrix\nelement vertex 8\nproperty float x\n"
+      "property short quality\nproperty float y\nproperty float z\nelement face 12\n"
+      "property uchar flags\nproperty list int uint vertex_index\nelement strip 1\n"
+      "property list uchar char numbers\nend_header\n";
+  put_big_endian(bytes, std::uint16_t{2});
+  for (const double value : {1.5, 2.5}) put_big_endian(bytes, value);
+  for (const Point3& p : mesh.points) {
+    put_big_endian(bytes, static_cast<float>(p.x));
+    put_big_endian(bytes, std::int16_t{-7});
+    put_big_endian(bytes, static_cast<float>(p.y));
+    put_big_endian(bytes, static_cast<float>(p.z));
+  }
+  for (const auto& triangle : mesh.triangles) {
+    put_big_endian(bytes, std::uint8_t{9});
+    put_big_endian(bytes, std::int32_t{3});
+    for (const std::uint32_t corner : triangle) put_big_endian(bytes, corner);
+  }
+  bytes += std::string("\2\0\1", 3);
+  put_bytes(folder_ / "other.ply", bytes);
+  const MeshFacts facts = check(folder_ / "other.ply");
+  expect_equal_counts(facts, MeshOracle(mesh).facts());
+  EXPECT_DOUBLE_EQ(facts.volume.value(), 1);
+
+  put_bytes(folder_ / "cut.ply", bytes.substr(0, bytes.size() - 1));
+  EXPECT_THROW(check(folder_ / "cut.ply"), InputError);
+  std::string negative = bytes;
+  negative[bytes.size() - 3 - 12] = '\xff';  // the first byte of the last face's first corner
+  put_bytes(folder_ / "negative.ply", negative);
+  EXPECT_THROW(check(folder_ / "negative.ply"), InputError);
+}
+
+TEST_F(MeshCheck, VtkInTextIsRead) {
+  const std::string head =
+      "# vtk DataFile Version 4.2\ntext\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n"
+      "0 0 0 1 0 0\n1 1 0 0 1 0\n";
+  put_bytes(folder_ / "square.vtk", head +
+                                        "METADATA\nINFORMATION 0\n\nLINES 1 3\n2 0 1\n"
+                                        "POLYGONS 2 8\n3 0 1 2\n3 0 2 3\nCELL_DATA 2\n");
+  const MeshFacts facts = check(folder_ / "square.vtk");
+  EXPECT_EQ(facts.triangles, 2U);
+  EXPECT_EQ(facts.area, 1);
+  for (const std::string rest :
+       {"POLYGONS 2 9\n4 0 1 2 3\n3 0 1 2\n", "POLYGONS 2 8\n3 0 1 2\n3 0 2 4\n",
+        "POLYGONS 2 8\n3 0 1 2\n3 0 2", "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n",
+        "POLYGONS 3 6\nOFFSETS vtktypeint64\n0 3 6\n"}) {
+    put_bytes(folder_ / "bad.vtk", head + rest);
+    EXPECT_THROW(check(folder_ / "bad.vtk"), InputError) << rest;
+  }
+}
+
 TEST_F(MeshCheck, NothingIsLeftInTheScratchFolder) {
   write_chunked(torus(40, 30), folder_ / "mesh.pvtp", 500);
   const std::size_t before = folder_.names().size();

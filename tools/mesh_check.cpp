@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/size_text.h"
-#include "engine/version.h"
 #include "io/file.h"
 #include "tools/check/facts_text.h"
 #include "tools/check/mesh_check.h"
@@ -38,9 +37,10 @@ void add_options(CLI::App& app, CommandLine& line) {
                  "Chunked mesh (.pvtp), .vtp, .ply or .vtk; - is PLY on standard input")
       ->required();
   app.add_flag("--json", line.json, "JSON on standard output instead of a table");
-  app.add_option("--require", line.require,
-                 fmt::format("What must hold, else exit code 1; of {}",
-                             fmt::join(requirement_names(), ", ")))
+  app.add_option(
+         "--require", line.require,
+         fmt::format("{}; one or more, separated by commas: exit code 1 if one does not hold",
+                     fmt::join(requirement_names(), ", ")))
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(requirement_names()))
@@ -85,7 +85,6 @@ int run(CommandLine& line) {
 
 int main(int argc, char** argv) {
   CLI::App app("Counts what can be wrong with a triangle mesh, however large", "mesh-check");
-  app.set_version_flag("--version", fmt::format("mesh-check {}", version()));
   CommandLine line;
   add_options(app, line);
   int code = kDone;

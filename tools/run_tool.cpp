@@ -46,6 +46,7 @@ int run_tool(CLI::App& app, int argc, char** argv, const std::function<void()>& 
   spdlog::set_default_logger(spdlog::stderr_logger_st(app.get_name()));
   spdlog::set_pattern("%n: %v");
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an I/O error like any other
+  app.set_version_flag("--version", app.get_name() + " " STREAM_RECON_VERSION);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

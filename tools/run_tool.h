@@ -1,5 +1,5 @@
 // What every small program does around its work: parse options, turn errors into one line on
-// standard error and an exit code.
+// standard error and an exit code. Every program has --help and --version.
 //
 // Exit codes: 0 done, 64 usage, 65 bad input, 70 internal check failed, 74 I/O error.
 #pragma once

@@ -36,7 +36,8 @@ void add_input_options(CLI::App& app, CommandLine& line) {
     formats.emplace(name, static_cast<InputFormat>(formats.size()));
   }
   app.add_option("INPUT", line.run.inputs,
-                 "Point files, read one after the other; - is standard input")
+                 "Point files (.ply, .xyz, .txt, .f32, .f64, .pts, .vtk, .vtp), read one after the "
+                 "other; - is standard input")
       ->required();
   app.add_option("--input-format", line.run.input_format,
                  "auto, ply, xyz, f32, f64, vtk, vtp or pts (default: auto)")
@@ -202,7 +203,6 @@ int run(CommandLine& line) {
 int main(int argc, char** argv) {
   CLI::App app("Surfaces from huge point clouds, exactly and in a fixed memory budget",
                "stream-recon");
-  app.set_version_flag("--version", fmt::format("stream-recon {}", version()));
   CommandLine line;
   line.words.assign(argv, argv + argc);
   line.words.front() = "stream-recon";

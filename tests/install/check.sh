@@ -14,6 +14,13 @@ cmake --install "$build" --prefix "$prefix" >"$work/install.log"
 for wanted in bin/stream-recon share/doc/stream_recon/LICENSE share/doc/stream_recon/NOTICE; do
   [ -e "$prefix/$wanted" ] || { echo "not installed: $wanted" >&2; exit 1; }
 done
+for program in "$prefix"/bin/*; do
+  name=${program##*/}
+  [ -e "$prefix/share/bash-completion/completions/$name" ] ||
+    { echo "$name has no completion" >&2; exit 1; }
+  ! command -v help2man >/dev/null || [ -e "$prefix/share/man/man1/$name.1" ] ||
+    { echo "$name has no man page" >&2; exit 1; }
+done
 
 if grep -rlE 'N4CGAL|CGAL/|tetgen' "$prefix/bin" "$prefix/lib" "$prefix/include"; then
   echo "the files above contain GPL code" >&2
