@@ -30,7 +30,7 @@ if(STREAM_RECON_CONVERTERS)
   target_compile_definitions(tool_programs_test PRIVATE STREAM_RECON_HAS_CONVERTERS)
   stream_recon_test(tool_slices_test
     SOURCES tool_dicom_test.cpp tool_image_stack_test.cpp tool_iso_points_test.cpp tool_raw_volume_test.cpp
-      tool_shared_volumes_test.cpp tool_volume_file_test.cpp
+      tool_slices_memory_test.cpp       tool_shared_volumes_test.cpp tool_volume_file_test.cpp
     LIBRARIES stream_recon_slices)
   find_package(JPEG REQUIRED)
   find_package(TIFF REQUIRED)

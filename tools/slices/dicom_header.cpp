@@ -12,6 +12,7 @@
 #include "io/error.h"
 #include "io/scalar_type.h"
 #include "tools/slices/child_trial.h"
+#include "tools/slices/dicom_length.h"
 #include "tools/slices/itk_file.h"
 #include "tools/slices/slice_image.h"
 #include "tools/slices/unpacked_file.h"
@@ -76,7 +77,8 @@ bool has_all_voxels(const Elements& elements, const DicomHeader& header) {
   const std::size_t bits = elements.number16({0x0028, 0x0100});
   const std::size_t samples = elements.number16({0x0028, 0x0002});
   const std::size_t voxels = header.rows * header.columns * header.frames;
-  return elements.length(kPixels) >= (voxels * samples * bits + 7) / 8;
+  const std::size_t wanted = (voxels * samples * bits + 7) / 8;
+  return wanted > 0 && elements.length(kPixels) >= wanted;
 }
 
 DicomHeader header_of(const gdcm::DataSet& data) {
@@ -140,6 +142,7 @@ bool is_dicom(const std::string& path) {
 }
 
 std::vector<DicomHeader> read_dicom_headers(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) check_dicom_length(path);
   std::vector<DicomHeader> headers;
   const auto read_all = [&] {
     for (const std::string& path : paths) headers.push_back(read_header(path));
