@@ -46,7 +46,7 @@ void write_packed(const std::string& path, const char* mode, const std::string& 
 
 std::string write_nifti(const TestFolder& folder, int slices) {
   std::string header(352, '\0');
-  const auto put = [&](std::size_t at, auto value) {
+  const auto put = [&](std::size_t at, const auto& value) {
     std::memcpy(&header[at], &value, sizeof value);
   };
   put(0, std::int32_t{348});
@@ -96,25 +96,36 @@ std::string write_tiff(const TestFolder& folder, int slices) {
   return folder / "a.tif";
 }
 
-/// The peak of the resident set while a child reads the volume, in KiB; -1 if it cannot.
+/// The peak of the resident set of this process while it reads the volume, in KiB; -1 if it cannot.
+long peak_here(const std::string& path) {
+  std::ofstream("/proc/self/clear_refs") << "5";  // what the parent held before does not count
+  const auto volume = open_volume(request_of({path}));
+  std::vector<double> slice(kSide * kSide);
+  double sum = 0;
+  for (std::size_t k = 0; k < volume->geometry().size[2]; ++k) {
+    volume->read_slice(k, slice);
+    sum += slice[kSide * kSide - 1];
+  }
+  if (sum != 255.0 * static_cast<double>(volume->geometry().size[2])) return -1;
+  long peak = -1;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == "VmHWM:") status >> peak;
+  return peak;
+}
+
+/// The same in a child.
 long peak_of_reading(const std::string& path) {
   int ends[2];
   if (pipe(ends) != 0) return -1;
   const pid_t child = fork();
   if (child == 0) {
-    std::ofstream("/proc/self/clear_refs") << "5";  // what the parent held before does not count
-    const auto volume = open_volume(request_of({path}));
-    std::vector<double> slice(kSide * kSide);
-    double sum = 0;
-    for (std::size_t k = 0; k < volume->geometry().size[2]; ++k) {
-      volume->read_slice(k, slice);
-      sum += slice[kSide * kSide - 1];
-    }
     long peak = -1;
-    std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word;)
-      if (word == "VmHWM:") status >> peak;
-    if (sum != 255.0 * static_cast<double>(volume->geometry().size[2])) peak = -1;
+    try {
+      peak = peak_here(path);
+    } catch (const std::exception& e) {
+      std::cerr << e.what() << "\n";
+    }
     _exit(write(ends[1], &peak, sizeof peak) == sizeof peak ? 0 : 1);
   }
   close(ends[1]);
@@ -141,8 +152,8 @@ TEST_P(SlicesMemory, ALongStackTakesAsMuchAsAShortOne) {
   ASSERT_GT(least, 0);
   ASSERT_GT(most, 0);
   EXPECT_LE(most, least + kAllowedKib);
-  RecordProperty("kib_more", std::to_string(most - least));
-  std::cout << "2 slices: " << least << " KiB, " << kLong << " slices: " << most << " KiB\n";
+  RecordProperty("kib_of_two_slices", std::to_string(least));
+  RecordProperty("kib_of_all", std::to_string(most));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SlicesMemory,
@@ -151,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(All, SlicesMemory,
                                          StackWriter{"metaimage", write_metaimage},
                                          StackWriter{"png", write_pngs},
                                          StackWriter{"tiff", write_tiff}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& stack) { return std::string(stack.param.name); });
 
 }  // namespace
 }  // namespace stream_recon
