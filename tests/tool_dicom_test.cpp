@@ -36,6 +36,11 @@ class Dicom : public testing::Test {
   TestFolder folder_;
 };
 
+/// A place above the origin.
+std::string at_height(const std::string& z) {
+  return std::string("0\\0\\").append(z);
+}
+
 void expect_says(const std::string& message, const std::string& part) {
   EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' lacks '" << part << "'";
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
@@ -87,7 +92,7 @@ TEST_F(Dicom, EachSliceIsRescaledAsItsHeaderSays) {
   for (int n = 1; n <= 2; ++n) {
     SmallDicom file;
     file.number = n;
-    file.position = "0\\0\\" + std::to_string(n);
+    file.position = at_height(std::to_string(n));
     file.slope = n == 1 ? "2" : "0.5";
     file.intercept = "-1000";
     file.voxels = {0, 1, -7, 900, 2, 3};
@@ -152,12 +157,11 @@ TEST_F(Dicom, AMissingSliceIsRefusedWithNumbers) {
 }
 
 TEST_F(Dicom, UnevenSlicesAreRefusedBeyondAFewPercent) {
-  for (const auto& [last, is_even] : {std::pair{"3.06", true}, {"3.2", false}}) {
+  for (const auto& [last, is_even] : {std::pair{"3.02", true}, {"3.2", false}}) {
     for (int n = 0; n < 4; ++n) {
       SmallDicom file;
       file.number = n;
-      file.position = "0\\0\\" + (n == 3 ? std::string(last) : std::to_string(n));
-      if (n == 3 && is_even) file.position = "0\\0\\3.02";
+      file.position = at_height(n == 3 ? last : std::to_string(n));
       put("u" + std::to_string(n), file);
     }
     if (is_even) {
@@ -213,7 +217,7 @@ TEST_F(Dicom, WithoutPixelSpacingItIsUnknown) {
   for (int n = 1; n <= 2; ++n) {
     SmallDicom file;
     file.number = n;
-    file.position = "0\\0\\" + std::to_string(n);
+    file.position = at_height(std::to_string(n));
     file.pixel_spacing.reset();
     put("p" + std::to_string(n), file);
   }

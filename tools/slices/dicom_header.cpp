@@ -105,8 +105,8 @@ DicomHeader header_of(const gdcm::DataSet& data) {
 }
 
 bool is_named_as_dicom(const std::string& path) {
-  static const std::set<std::string> kEndings{".dcm", ".dicom", ".ima"};
-  return kEndings.contains(lower_ending(path));
+  static const std::set<std::string> endings{".dcm", ".dicom", ".ima"};
+  return endings.contains(lower_ending(path));
 }
 
 [[noreturn]] void refuse(const std::string& path) {
