@@ -314,7 +314,7 @@ TEST_F(VolumeFile, EveryTruncationIsRefusedWithOneLine) {
   }
 }
 
-TEST_F(VolumeFile, TinyFilesAreRefusedCutAtEveryByte) {
+TEST_F(VolumeFile, TinyFilesAreRefusedWhereverTheyAreCut) {
   const auto image = itk::Image<short, 3>::New();
   image->SetRegions(itk::Size<3>{{2, 3, 2}});
   image->Allocate(true);
@@ -322,7 +322,8 @@ TEST_F(VolumeFile, TinyFilesAreRefusedCutAtEveryByte) {
     write_image(path(name), image.GetPointer(), compressed);
     const std::string data = path(data_name(name));
     const std::string whole = file_bytes(data);
-    for (std::size_t left = 0; left < whole.size(); ++left) {
+    // All of the voxels and the end of the header; before, every fifth byte.
+    for (std::size_t left = 0; left < whole.size(); left += left + 90 < whole.size() ? 5 : 1) {
       SCOPED_TRACE(name + " cut to " + std::to_string(left) + " of " +
                    std::to_string(whole.size()));
       put_bytes(data, whole.substr(0, left));

@@ -21,7 +21,8 @@ using stream_recon::Scalar;
 
 // A PLY header tells the count, so that format takes a counting scan first.
 void write_iso_points(const std::string& path, double iso, stream_recon::PointSinkOptions output) {
-  const auto volume = stream_recon::open_volume({.paths = {path}, .spacing = {}, .series = {}, .raw = {}});
+  const auto volume =
+      stream_recon::open_volume({.paths = {path}, .spacing = {}, .series = {}, .raw = {}});
   if (output.format == PointFormat::kPly)
     output.count = stream_recon::scan_iso_points(*volume, iso, [](const Point3&) {});
   stream_recon::PointSink sink(output);
