@@ -333,6 +333,22 @@ TEST_F(ImageStack, ACutSliceOfAFolderIsRefusedByName) {
   }
 }
 
+TEST_F(ImageStack, NothingIsPrinted) {
+  const auto page = make_picture(11, 7, 8, 1);
+  write_small_png(path("a.png"), page);
+  write_small_jpeg(path("a.jpg"), page);
+  write_small_tiff(path("a.tif"), {page, page});
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  for (const char* name : {"a.png", "a.jpg", "a.tif"}) {
+    refusal(path(name));
+    std::filesystem::resize_file(path(name), std::filesystem::file_size(path(name)) - 5);
+    refusal(path(name));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 // No byte that is changed makes the reader do anything but read or refuse.
 TEST_F(ImageStack, DamageIsReadOrRefused) {
   std::mt19937 random(4);

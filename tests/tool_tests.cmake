@@ -52,8 +52,8 @@ if(STREAM_RECON_CONVERTERS)
   find_package(ZLIB REQUIRED)
   target_link_libraries(tool_converter_test PRIVATE ZLIB::ZLIB)
   stream_recon_test(tool_slices_test
-    SOURCES tool_image_stack_test.cpp tool_raw_volume_test.cpp
-      tool_shared_volumes_test.cpp tool_volume_file_test.cpp
+    SOURCES tool_dicom_test.cpp tool_image_stack_test.cpp tool_raw_volume_test.cpp
+      tool_shared_volumes_test.cpp tool_slices_memory_test.cpp tool_volume_file_test.cpp
     LIBRARIES stream_recon_slices stream_recon_sampling)
   find_package(JPEG REQUIRED)
   find_package(TIFF REQUIRED)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "spatial/vector.h"
 #include "tests/io_test_folder.h"
 #include "tests/volume_check.h"
 #include "tools/sampling/sampling.h"
@@ -315,7 +316,7 @@ TEST_F(VolumeFile, EveryTruncationIsRefusedWithOneLine) {
   }
 }
 
-TEST_F(VolumeFile, TinyFilesAreRefusedCutAtEveryByte) {
+TEST_F(VolumeFile, TinyFilesAreRefusedWhereverTheyAreCut) {
   const auto image = itk::Image<short, 3>::New();
   image->SetRegions(itk::Size<3>{{2, 3, 2}});
   image->Allocate(true);
@@ -323,7 +324,8 @@ TEST_F(VolumeFile, TinyFilesAreRefusedCutAtEveryByte) {
     write_image(path(name), image.GetPointer(), compressed);
     const std::string data = path(data_name(name));
     const std::string whole = file_bytes(data);
-    for (std::size_t left = 0; left < whole.size(); ++left) {
+    // All of the voxels and the end of the header; before, every fifth byte.
+    for (std::size_t left = 0; left < whole.size(); left += left + 90 < whole.size() ? 5 : 1) {
       SCOPED_TRACE(name + " cut to " + std::to_string(left) + " of " +
                    std::to_string(whole.size()));
       put_bytes(data, whole.substr(0, left));
@@ -353,6 +355,67 @@ TEST_F(VolumeFile, DamagedPackedVoxelsAreRefused) {
     SCOPED_TRACE(name);
     expect_one_line(refusal(path(name)));
   }
+}
+
+TEST_F(VolumeFile, SpacingIsUnknownWhereTheHeaderDoesNotTellIt) {
+  const std::string mha =
+      "ObjectType = Image\nNDims = 3\nDimSize = 1 1 2\nElementType = MET_UCHAR\n"
+      "BinaryData = True\n";
+  const std::string nrrd = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1 1 2\nencoding: raw\n";
+  put_bytes(path("no.mha"), mha + "ElementDataFile = LOCAL\nab");
+  put_bytes(path("no.nrrd"), nrrd + "\nab");
+  put_bytes(path("nan.nrrd"), nrrd + "spacings: 1 1 nan\n\nab");
+  put_bytes(path("yes.mha"), mha + "ElementSpacing = 1 1 3\nElementDataFile = LOCAL\nab");
+  put_bytes(path("yes.nrrd"), nrrd + "spacings: 1 1 3\n\nab");
+  put_bytes(path("vector.nrrd"), nrrd +
+                                     "space: left-posterior-superior\n"
+                                     "space directions: (1,0,0) (0,1,0) (0,0,3)\n"
+                                     "space origin: (0,0,0)\n\nab");
+  put_bytes(path("space.nrrd"), nrrd + "space: 3D-left-handed\nspacings: 1 1 3\n\nab");
+  write_noise<short>(path("no.nii"), false);
+  std::string bytes = file_bytes(path("no.nii"));
+  put_number(bytes, 88, 0.F);
+  put_number(bytes, 252, std::int32_t{0});  // no qform, no sform
+  put_bytes(path("no.nii"), bytes);
+  for (const char* name : {"no.mha", "no.nrrd", "nan.nrrd", "no.nii"}) {
+    SCOPED_TRACE(name);
+    const std::string message = refusal(request_of({path(name)}, true));
+    EXPECT_NE(message.find("not known; give it with --spacing"), std::string::npos) << message;
+    VolumeRequest request = request_of({path(name)}, true);
+    request.spacing = {1, 1, 2};
+    EXPECT_EQ(length(open_volume(request)->geometry().step[2]), 2);
+  }
+  for (const char* name : {"yes.mha", "yes.nrrd", "vector.nrrd", "space.nrrd"}) {
+    SCOPED_TRACE(name);
+    ASSERT_EQ(refusal(request_of({path(name)}, true)), "");
+    const auto volume = open_volume(request_of({path(name)}, true));
+    EXPECT_EQ(length(volume->geometry().step[2]), 3);
+  }
+}
+
+TEST_F(VolumeFile, AGivenSpacingKeepsTheDirections) {
+  write_image(path("a.nrrd"), make_sphere().GetPointer(), false);
+  VolumeRequest request = request_of({path("a.nrrd")}, true);
+  request.spacing = {2, 3, 4};
+  const VolumeGeometry geometry = open_volume(request)->geometry();
+  EXPECT_EQ(geometry.origin, (Point3{-10, 20, 5}));
+  EXPECT_EQ(geometry.step[0], (Point3{0, 2, 0}));
+  EXPECT_EQ(geometry.step[1], (Point3{-3, 0, 0}));
+  EXPECT_EQ(geometry.step[2], (Point3{0, 0, 4}));
+}
+
+TEST_F(VolumeFile, NothingIsPrinted) {
+  write_image(path("a.nrrd"), make_sphere().GetPointer(), true);
+  write_image(path("b.nii.gz"), make_sphere().GetPointer(), true);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  for (const char* name : {"a.nrrd", "b.nii.gz"}) {
+    refusal(path(name));
+    std::filesystem::resize_file(path(name), 300);
+    refusal(path(name));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST_F(VolumeFile, WhatIsNoScalarVolumeIsRefused) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gdcmReader.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -10,6 +11,8 @@
 
 #include "io/error.h"
 #include "io/scalar_type.h"
+#include "tools/slices/child_trial.h"
+#include "tools/slices/dicom_length.h"
 #include "tools/slices/itk_file.h"
 #include "tools/slices/slice_image.h"
 #include "tools/slices/unpacked_file.h"
@@ -52,11 +55,31 @@ class Elements {
     return load_scalar<std::uint16_t>(value->GetPointer(), std::endian::native);
   }
 
+  /// Bytes of a value that lies in one piece.
+  std::size_t length(const gdcm::Tag& tag) const {
+    const gdcm::ByteValue* value = elements_.GetDataElement(tag).GetByteValue();
+    return value == nullptr ? 0 : std::size_t{value->GetLength()};
+  }
+  bool is_in_fragments(const gdcm::Tag& tag) const {
+    return elements_.GetDataElement(tag).GetSequenceOfFragments() != nullptr;
+  }
+
   bool has(const gdcm::Tag& tag) const { return elements_.FindDataElement(tag); }
 
  private:
   const gdcm::DataSet& elements_;
 };
+
+/// GDCM makes up voxels that the file does not have. Packed ones, in fragments, it misses itself.
+bool has_all_voxels(const Elements& elements, const DicomHeader& header) {
+  if (!elements.has(kPixels)) return false;
+  if (elements.is_in_fragments(kPixels)) return true;
+  const std::size_t bits = elements.number16({0x0028, 0x0100});
+  const std::size_t samples = elements.number16({0x0028, 0x0002});
+  const std::size_t voxels = header.rows * header.columns * header.frames;
+  const std::size_t wanted = (voxels * samples * bits + 7) / 8;
+  return wanted > 0 && elements.length(kPixels) >= wanted;
+}
 
 DicomHeader header_of(const gdcm::DataSet& data) {
   const Elements elements(data);
@@ -68,6 +91,7 @@ DicomHeader header_of(const gdcm::DataSet& data) {
   header.is_directory = elements.has({0x0004, 0x1220});
   const auto frames = elements.numbers({0x0028, 0x0008}, 1);
   if (!frames.empty() && frames[0] >= 1) header.frames = static_cast<std::size_t>(frames[0]);
+  header.has_all_voxels = has_all_voxels(elements, header);
   if (const auto p = elements.numbers({0x0020, 0x0032}, 3); !p.empty())
     header.position = Point3{p[0], p[1], p[2]};
   if (const auto a = elements.numbers({0x0020, 0x0037}, 6); !a.empty())
@@ -81,8 +105,23 @@ DicomHeader header_of(const gdcm::DataSet& data) {
 }
 
 bool is_named_as_dicom(const std::string& path) {
-  static const std::set<std::string> kEndings{".dcm", ".dicom", ".ima"};
-  return kEndings.contains(lower_ending(path));
+  static const std::set<std::string> endings{".dcm", ".dicom", ".ima"};
+  return endings.contains(lower_ending(path));
+}
+
+[[noreturn]] void refuse(const std::string& path) {
+  throw InputError(fmt::format("{}: truncated or damaged DICOM header; copy the file again", path));
+}
+
+DicomHeader read_header(const std::string& path) {
+  gdcm::Reader reader;
+  reader.SetFileName(path.c_str());
+  bool is_read = false;
+  call_itk(path, [&] { is_read = reader.ReadUpToTag(kPixels, {}); });
+  if (!is_read) refuse(path);
+  DicomHeader header = header_of(reader.GetFile().GetDataSet());
+  header.path = path;
+  return header;
 }
 
 }  // namespace
@@ -93,26 +132,27 @@ bool is_dicom(const std::string& path) {
   if (std::string_view(&bytes[128], 4) == "DICM") return true;
   if (!is_named_as_dicom(path)) return false;
   bool is_readable = false;
-  call_itk(path, [&] {
+  const auto ask = [&] {
     gdcm::Reader reader;
     reader.SetFileName(path.c_str());
     is_readable = reader.CanRead();
-  });
+  };
+  if (survives_in_child(ask)) call_itk(path, ask);
   return is_readable;
 }
 
-DicomHeader read_dicom_header(const std::string& path) {
-  gdcm::Reader reader;
-  reader.SetFileName(path.c_str());
-  bool is_read = false;
-  call_itk(path, [&] { is_read = reader.ReadUpToTag(kPixels, {}); });
-  if (!is_read) {
-    throw InputError(
-        fmt::format("{}: truncated or damaged DICOM header; copy the file again", path));
+std::vector<DicomHeader> read_dicom_headers(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) check_dicom_length(path);
+  std::vector<DicomHeader> headers;
+  const auto read_all = [&] {
+    for (const std::string& path : paths) headers.push_back(read_header(path));
+  };
+  if (!survives_in_child(read_all)) {
+    for (const std::string& path : paths)
+      if (!survives_in_child([&] { read_header(path); })) refuse(path);
   }
-  DicomHeader header = header_of(reader.GetFile().GetDataSet());
-  header.path = path;
-  return header;
+  read_all();
+  return headers;
 }
 
 }  // namespace stream_recon

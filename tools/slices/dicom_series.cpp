@@ -8,23 +8,28 @@
 #include <map>
 
 #include "io/error.h"
+#include "spatial/vector.h"
+#include "tools/slices/child_trial.h"
 #include "tools/slices/dicom_header.h"
 #include "tools/slices/dicom_order.h"
 #include "tools/slices/itk_volume.h"
-#include "tools/slices/volume_file.h"
 
 namespace stream_recon {
 namespace {
 
 using Series = std::map<std::string, std::vector<DicomHeader>>;
 
+[[noreturn]] void refuse_damaged(const std::string& path) {
+  throw InputError(fmt::format("{}: a damaged or truncated DICOM file; copy the file again", path));
+}
+
 Series series_of(const DicomFiles& files) {
   Series all;
   std::vector<DicomHeader> without_image;
-  for (const std::string& path : files.paths) {
-    DicomHeader header = read_dicom_header(path);
+  for (DicomHeader& header : read_dicom_headers(files.paths)) {
     if (header.is_directory) continue;
     const bool is_image = header.rows > 0 && header.columns > 0;
+    if (is_image && !header.has_all_voxels) refuse_damaged(header.path);
     (is_image ? all[header.series] : without_image).push_back(std::move(header));
   }
   // Reports and the like have series of their own.
@@ -66,9 +71,29 @@ std::vector<DicomHeader> chosen(const Series& all, const DicomFiles& files) {
                                files.series, found.empty() ? "none" : "several", listed(all)));
 }
 
+/// A file of one slice or of several frames, which GDCM reads whole.
+std::unique_ptr<Volume> open_frames(const DicomHeader& header) {
+  const auto open = [&] {
+    ItkFile file = open_itk_file(header.path, itk::GDCMImageIO::New());
+    // The spacing of frames may be told for each of them.
+    const auto& step = file.geometry.step;
+    file.geometry.has_spacing =
+        header.pixel_spacing || length(step[0]) != 1 || length(step[1]) != 1;
+    return open_itk_volume(std::move(file));
+  };
+  const auto read = [&] {
+    const auto volume = open();
+    std::vector<double> slice(volume->geometry().size[0] * volume->geometry().size[1]);
+    volume->read_slice(0, slice);
+  };
+  if (!survives_in_child(read)) refuse_damaged(header.path);
+  return open();
+}
+
 class DicomVolume : public Volume {
  public:
-  explicit DicomVolume(DicomOrder order) : order_(std::move(order)) {}
+  explicit DicomVolume(DicomOrder order)
+      : order_(std::move(order)), is_tried_(order_.paths.size(), false) {}
 
   const VolumeGeometry& geometry() const override { return order_.geometry; }
   std::string source() const override {
@@ -76,6 +101,13 @@ class DicomVolume : public Volume {
   }
 
   void read_slice(std::size_t k, std::span<double> out) override {
+    if (!is_tried_[k] && !survives_in_child([&] { read(k, out); })) refuse_damaged(order_.paths[k]);
+    is_tried_[k] = true;
+    read(k, out);
+  }
+
+ private:
+  void read(std::size_t k, std::span<double> out) const {
     const auto slice = open_itk_volume(open_itk_file(order_.paths[k], itk::GDCMImageIO::New()));
     const auto& size = slice->geometry().size;
     if (size[0] * size[1] * size[2] != out.size()) {
@@ -88,15 +120,15 @@ class DicomVolume : public Volume {
     slice->read_slice(0, out);
   }
 
- private:
   DicomOrder order_;
+  std::vector<bool> is_tried_;
 };
 
 }  // namespace
 
 std::unique_ptr<Volume> open_dicom_series(const DicomFiles& files) {
   std::vector<DicomHeader> slices = chosen(series_of(files), files);
-  if (slices.size() == 1) return open_volume_file(slices.front().path);
+  if (slices.size() == 1) return open_frames(slices.front());
   return std::make_unique<DicomVolume>(order_dicom_slices(std::move(slices)));
 }
 

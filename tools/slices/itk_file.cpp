@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/error.h"
+#include "tools/slices/child_trial.h"
 #include "tools/slices/quiet_streams.h"
 
 namespace stream_recon {
@@ -111,7 +112,10 @@ void call_itk(const std::string& path, const std::function<void()>& work) {
 }
 
 ItkFile open_itk_file(const std::string& path) {
-  return open_itk_file(path, find_reader(path));
+  const auto open = [&] { return open_itk_file(path, find_reader(path)); };
+  if (survives_in_child(open)) return open();
+  throw InputError(
+      fmt::format("{}: damaged, its reader in ITK crashes; copy the file again", path));
 }
 
 ItkFile open_itk_file(const std::string& path, itk::ImageIOBase::Pointer reader) {

@@ -23,7 +23,7 @@ struct ItkFile {
 /// \throw InputError
 ItkFile open_itk_file(const std::string& path);
 
-/// With a reader of a format that is known. \throw InputError
+/// The same with a reader of a format that is known. \throw InputError
 ItkFile open_itk_file(const std::string& path, itk::ImageIOBase::Pointer reader);
 
 /// Runs `work`, silently, and turns its exceptions into an InputError about `path`.

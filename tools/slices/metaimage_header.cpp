@@ -51,14 +51,14 @@ MetaFields read_fields(const std::string& path) {
 
 /// MET_LONG is left to ITK: how long it is depends on who wrote it.
 std::optional<RawType> type_of(const std::string& name) {
-  static const std::map<std::string, RawType> kTypes{
+  static const std::map<std::string, RawType> types{
       {"MET_CHAR", RawType::kInt8},       {"MET_UCHAR", RawType::kUint8},
       {"MET_SHORT", RawType::kInt16},     {"MET_USHORT", RawType::kUint16},
       {"MET_INT", RawType::kInt32},       {"MET_UINT", RawType::kUint32},
       {"MET_LONG_LONG", RawType::kInt64}, {"MET_ULONG_LONG", RawType::kUint64},
       {"MET_FLOAT", RawType::kFloat32},   {"MET_DOUBLE", RawType::kFloat64}};
-  const auto at = kTypes.find(name);
-  if (at == kTypes.end()) return std::nullopt;
+  const auto at = types.find(name);
+  if (at == types.end()) return std::nullopt;
   return at->second;
 }
 

@@ -49,9 +49,10 @@ void check(const VolumeRequest& request) {
   if (request.raw && !request.series.empty())
     throw std::invalid_argument("a series is chosen among DICOM files, not among raw ones");
   if (!request.spacing) return;
-  for (const double length : *request.spacing)
+  for (const double length : *request.spacing) {
     if (!std::isfinite(length) || length <= 0)
       throw std::invalid_argument("the spacing must be three finite numbers above 0");
+  }
 }
 
 void check_files(const Paths& paths) {
@@ -83,10 +84,11 @@ std::unique_ptr<Volume> open_files(const VolumeRequest& request) {
   const Paths& paths = request.paths;
   if (request.raw) return open_raw_volume(paths, *request.raw);
   if (is_dicom(paths.front())) {
-    for (const std::string& path : paths)
-      if (!is_dicom(path))
-        throw InputError(
-            fmt::format("{}: not DICOM like {}, or cut off; copy it again", path, paths.front()));
+    for (const std::string& path : paths) {
+      if (is_dicom(path)) continue;
+      throw InputError(
+          fmt::format("{}: not DICOM like {}, or cut off; copy it again", path, paths.front()));
+    }
     return open_dicom_series({paths.front(), paths, request.series});
   }
   check_no_series(request);
@@ -110,7 +112,7 @@ std::unique_ptr<Volume> open_volume(const VolumeRequest& request) {
   if (request.needs_spacing && !volume->geometry().has_spacing) {
     throw InputError(
         fmt::format("{}: the distance of its voxels is not known; give it with "
-                    "--spacing X Y Z",
+                    "--spacing X,Y,Z",
                     name));
   }
   return volume;

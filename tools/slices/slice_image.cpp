@@ -57,8 +57,8 @@ std::string lower_ending(const std::string& path) {
 }
 
 bool is_named_as_image(const std::string& path) {
-  static const std::set<std::string> kEndings{".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"};
-  return kEndings.contains(lower_ending(path));
+  static const std::set<std::string> endings{".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"};
+  return endings.contains(lower_ending(path));
 }
 
 void refuse_unknown_image(const std::string& path) {

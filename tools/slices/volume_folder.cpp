@@ -22,9 +22,10 @@ std::string joined(const std::string& folder, const std::string& name) {
 
 Names visible_files(const std::string& folder) {
   Names names;
-  for (const std::string& name : list_folder(folder))
+  for (const std::string& name : list_folder(folder)) {
     if (!name.starts_with('.') && std::filesystem::is_regular_file(joined(folder, name)))
       names.push_back(name);
+  }
   sort_naturally(names);
   return names;
 }
@@ -101,11 +102,11 @@ FolderSlices slices_in_folder(const std::string& folder) {
 }
 
 std::vector<std::string> raw_files_in_folder(const std::string& folder) {
-  static const std::set<std::string> kTexts{".txt", ".md",  ".nhdr", ".mhd",
-                                            ".hdr", ".xml", ".json", ".csv"};
+  static const std::set<std::string> texts{".txt", ".md",  ".nhdr", ".mhd",
+                                           ".hdr", ".xml", ".json", ".csv"};
   Names names = visible_files(folder);
   std::erase_if(names, [](const std::string& name) {
-    return kTexts.contains(lower_ending(name)) || name.starts_with("README");
+    return texts.contains(lower_ending(name)) || name.starts_with("README");
   });
   if (names.empty())
     throw InputError(fmt::format("{}: no files with voxels in this folder", folder));
