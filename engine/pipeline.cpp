@@ -142,7 +142,7 @@ class Pipeline {
   }
 
   void report_input(const CloudSummary& cloud, const OrderResult& order) {
-    report_.input = {cloud.points, order.duplicates, cloud.rejected};
+    report_.input = {cloud.points, order.duplicates, cloud.rejected, cloud.spacing};
   }
 
   void report_windows(const WindowTotals& totals) {

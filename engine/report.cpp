@@ -47,7 +47,7 @@ std::string to_json(const Report& report) {
                       {"bytes_read", stage.bytes_read},
                       {"bytes_written", stage.bytes_written}});
   }
-  const Json json{
+  Json json{
       {"version", report.version},
       {"input",
        {{"points", report.input.points},
@@ -81,6 +81,7 @@ std::string to_json(const Report& report) {
       {"memory_budget_bytes", report.memory_budget_bytes},
       {"memory_over_time", memory_json(report.memory_over_time)},
   };
+  if (report.input.spacing) json["input"]["spacing"] = *report.input.spacing;
   using Pointer = Json::json_pointer;
   return dump(json, {Pointer("/surface/delta_histogram"), Pointer("/memory_over_time/seconds"),
                      Pointer("/memory_over_time/resident_bytes")}) +

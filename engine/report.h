@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Report {
     std::uint64_t points = 0;      ///< as delivered, duplicates and rejected ones included
     std::uint64_t duplicates = 0;  ///< merged into a point of lower index
     std::uint64_t rejected = 0;    ///< not finite
+    /// Of the grid the points were sampled on, where an input says it.
+    std::optional<std::array<double, 3>> spacing;
   } input;
   struct {
     std::uint64_t tetrahedra = 0;  ///< finite ones

@@ -6,6 +6,8 @@
 
 #include "io/byte_source.h"
 #include "io/ply_reader.h"
+#include "io/pts_layout.h"
+#include "io/pts_reader.h"
 #include "io/raw_reader.h"
 #include "io/vtk_legacy_reader.h"
 #include "io/vtp_reader.h"
@@ -39,6 +41,7 @@ InputFormat format_of_bytes(std::string_view head) {
   if (head.starts_with("ply\n") || head.starts_with("ply\r") || head.starts_with("ply ")) {
     return InputFormat::kPly;
   }
+  if (head.starts_with(kPtsMagic)) return InputFormat::kPts;
   if (head.starts_with("# vtk DataFile")) return InputFormat::kVtk;
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
   const std::size_t first = std::min(head.find_first_not_of(" \t\r\n"), head.size());
@@ -61,6 +64,11 @@ InputFormat format_of(ByteSource& source, const std::string& path, std::string_v
 
 }  // namespace
 
+const PointMetadata& PointSource::metadata() const {
+  static const PointMetadata nothing;
+  return nothing;
+}
+
 std::unique_ptr<PointSource> open_point_source(const std::string& path, InputFormat format) {
   auto source = std::make_unique<ByteSource>(path);
   if (format != InputFormat::kF32 && format != InputFormat::kF64) {
@@ -82,6 +90,8 @@ std::unique_ptr<PointSource> open_point_source(const std::string& path, InputFor
       return make_vtk_legacy_source(std::move(source));
     case InputFormat::kVtp:
       return make_vtp_source(std::move(source));
+    case InputFormat::kPts:
+      return make_pts_source(std::move(source));
     case InputFormat::kXyz:
     case InputFormat::kAuto:
       break;

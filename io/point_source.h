@@ -7,6 +7,7 @@
 // Thread rule: one reader.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -14,11 +15,16 @@
 #include <span>
 #include <string>
 
+#include "io/point_metadata.h"
 #include "spatial/point.h"
 
 namespace stream_recon {
 
-enum class InputFormat { kAuto, kPly, kXyz, kF32, kF64, kVtk, kVtp };
+enum class InputFormat { kAuto, kPly, kXyz, kF32, kF64, kVtk, kVtp, kPts };
+
+/// What people call them, in the order of the enumeration.
+inline constexpr std::array kInputFormatNames{"auto", "ply", "xyz", "f32",
+                                              "f64",  "vtk", "vtp", "pts"};
 
 class PointSource {
  public:
@@ -30,6 +36,9 @@ class PointSource {
 
   /// The number of points the header promises, where the format has one.
   virtual std::optional<std::uint64_t> announced_count() const { return std::nullopt; }
+
+  /// What the input says about its points; empty where the format has no place for it.
+  virtual const PointMetadata& metadata() const;
 
   /// Bytes consumed so far, for reports and progress.
   virtual std::uint64_t bytes_read() const = 0;

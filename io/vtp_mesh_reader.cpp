@@ -186,4 +186,29 @@ VtpMesh read_vtp_mesh(const std::string& path) {
   return MeshReader(path).read();
 }
 
+VtpMeshSize read_vtp_mesh_size(const std::string& path) {
+  ByteSource source(path);
+  VtpArrayReader arrays(source, is_wanted);
+  VtpMeshSize size;
+  std::size_t pieces = 0;
+  const auto count = [&](const VtpArray& array) {
+    size.has_global_ids = size.has_global_ids || array.section == VtpSection::kPointData;
+    if (array.piece.index < pieces) return;
+    pieces = array.piece.index + 1;
+    size.points += array.piece.points;
+    size.triangles += array.piece.polys;
+  };
+  while (const std::optional<VtpArray> array = arrays.next()) {
+    if (array->storage == VtpStorage::kAppended) break;
+    count(*array);
+  }
+  std::vector<VtpArray> appended(arrays.appended().begin(), arrays.appended().end());
+  std::stable_sort(appended.begin(), appended.end(), [](const VtpArray& a, const VtpArray& b) {
+    return a.piece.index < b.piece.index;
+  });
+  pieces = 0;
+  for (const VtpArray& array : appended) count(array);
+  return size;
+}
+
 }  // namespace stream_recon

@@ -26,4 +26,17 @@ struct VtpMesh {
 /// Reads the file `path`, "-" for standard input. \throw InputError, IoError
 VtpMesh read_vtp_mesh(const std::string& path);
 
+/// What the head of a file promises.
+struct VtpMeshSize {
+  std::uint64_t points = 0;
+  std::uint64_t triangles = 0;
+  bool has_global_ids = false;
+
+  /// What read_vtp_mesh() holds at most, bytes.
+  std::uint64_t memory_bytes() const { return 72 * points + 68 * triangles; }
+};
+
+/// Reads no more than the XML where the arrays are appended. \throw InputError, IoError
+VtpMeshSize read_vtp_mesh_size(const std::string& path);
+
 }  // namespace stream_recon

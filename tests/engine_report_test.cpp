@@ -48,6 +48,14 @@ TEST(Report, HasTheKeysOfTheContract) {
   EXPECT_EQ(json["stages"][0]["bytes_written"], 200);
 }
 
+TEST(Report, HasTheSpacingOfTheSamplesWhereItIsKnown) {
+  Report report;
+  EXPECT_FALSE(nlohmann::json::parse(to_json(report)).at("input").contains("spacing"));
+  report.input.spacing = {0.5, 0.5, 1.5};
+  EXPECT_EQ(nlohmann::json::parse(to_json(report)).at("input").at("spacing"),
+            nlohmann::json({0.5, 0.5, 1.5}));
+}
+
 TEST(Report, IsCompleteUnderItsNameOrNotThere) {
   const TestFolder folder;
   write_report({}, folder / "report.json");

@@ -20,9 +20,10 @@ target_compile_definitions(engine_restart_test PRIVATE
 if(STREAM_RECON_TOOLS)
   find_package(PNG REQUIRED)
   stream_recon_test(cli_test
-    SOURCES cli_errors_test.cpp cli_html_test.cpp cli_restart_test.cpp cli_results_test.cpp cli_tetrahedra_test.cpp
+    SOURCES cli_check_test.cpp cli_errors_test.cpp cli_html_test.cpp cli_pipe_test.cpp
+      cli_restart_test.cpp cli_results_test.cpp cli_tetrahedra_test.cpp
     LIBRARIES stream_recon::io GTest::gmock)
-  add_dependencies(cli_test stream-recon make-cloud)
+  add_dependencies(cli_test stream-recon make-cloud mesh-check)
   target_compile_definitions(cli_test PRIVATE
     STREAM_RECON_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}"
     STREAM_RECON_VTK_PYTHON="${VTK_PYTHON}" STREAM_RECON_TESTS="${CMAKE_CURRENT_SOURCE_DIR}")

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "io/pts_encoder.h"
 #include "io_reader_helpers.h"
 
 namespace stream_recon {
@@ -206,6 +207,19 @@ void add_vtp(std::vector<ReaderCase>& cases) {
       end);
 }
 
+void add_pts(std::vector<ReaderCase>& cases) {
+  const std::vector<Point3> points = points_of(kSingle);
+  for (const Scalar scalar : {Scalar::kFloat32, Scalar::kFloat64}) {
+    PtsEncoder encoder(scalar);
+    const std::string header = encoder.header({SampleSpacing{1, 1, 1.5}, "a folder", "label 13"});
+    std::string frames = encoder.frame(std::span(points).first(1));
+    frames += encoder.frame(std::span(points).subspan(1));
+    frames += encoder.end();
+    cases.push_back(made(scalar == Scalar::kFloat32 ? "pts_float" : "pts_double", InputFormat::kPts,
+                         header, frames, kSingle));
+  }
+}
+
 }  // namespace
 
 std::vector<ReaderCase> reader_cases() {
@@ -215,6 +229,7 @@ std::vector<ReaderCase> reader_cases() {
   add_raw(cases);
   add_legacy(cases);
   add_vtp(cases);
+  add_pts(cases);
   return cases;
 }
 

@@ -19,7 +19,7 @@ DOORS = {
     r"boost/interprocess/": ["io/mapped_file.cpp"],
     r"expat\.h": ["io/xml_reader.cpp"],
     r"flann/": ["spatial/neighbors.cpp"],
-    r"itk": ["tools/slices"],
+    r"(itk|gdcm|jpeglib|tiffio)": ["tools/slices"],
     r"libdeflate\.h": ["io/vtk_xml_blocks.cpp", "io/vtp_codec.cpp"],
     r"lz4": ["io/vtp_codec.cpp"],
     r"nlohmann/": ["engine", "tools"],

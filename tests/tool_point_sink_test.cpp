@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/error.h"
+#include "io/point_source.h"
 #include "tests/io_test_folder.h"
 
 namespace stream_recon {
@@ -61,6 +62,38 @@ TEST_F(PointSinkTest, PlyIsHeaderAndCoordinates) {
   EXPECT_EQ(written(PointFormat::kPly, Scalar::kFloat32), header("float") + raw<float>());
 }
 
+TEST_F(PointSinkTest, APlyFileCountsItsPointsAtTheEnd) {
+  for (const std::size_t count : {0, 1, 9, 10, 12345}) {
+    points_.assign(count, {1, 2, 3});
+    PointSink sink({path("late.ply"), PointFormat::kPly, Scalar::kFloat32});
+    sink.write(points_);
+    sink.finish();
+    const auto source = open_point_source(path("late.ply"), InputFormat::kAuto);
+    EXPECT_EQ(source->announced_count(), count);
+    std::vector<Point3> read(count + 1);
+    EXPECT_EQ(source->read(read), count);
+  }
+}
+
+TEST_F(PointSinkTest, FramesHoldEveryPointAndWhatIsKnownOfThem) {
+  for (const std::size_t count : {0, 1, 16383, 16384, 16385, 40000}) {
+    points_.clear();
+    for (std::size_t i = 0; i < count; ++i) points_.push_back({static_cast<double>(i), 0.1, 2});
+    PointSink sink({.path = path("points"),
+                    .format = PointFormat::kPts,
+                    .metadata = {SampleSpacing{1, 2, 3}, "head", "iso 5"}});
+    sink.write(points_);
+    sink.finish();
+    const auto source = open_point_source(path("points"), InputFormat::kAuto);
+    EXPECT_EQ(source->metadata().spacing, (SampleSpacing{1, 2, 3}));
+    EXPECT_EQ(source->metadata().value, "iso 5");
+    std::vector<Point3> read(count + 1);
+    EXPECT_EQ(source->read(read), count);
+    read.resize(count);
+    EXPECT_TRUE(read == points_);
+  }
+}
+
 TEST_F(PointSinkTest, TextReadsBackAsTheSameBits) {
   std::istringstream text(written(PointFormat::kXyz));
   for (const Point3& p : points_)
@@ -100,6 +133,7 @@ TEST(PointFormatOf, FollowsTheNamesEnding) {
   EXPECT_EQ(point_format_of("a.xyz"), PointFormat::kXyz);
   EXPECT_EQ(point_format_of("a.f32"), PointFormat::kF32);
   EXPECT_EQ(point_format_of("a.f64"), PointFormat::kF64);
+  EXPECT_EQ(point_format_of("a.pts"), PointFormat::kPts);
   EXPECT_EQ(point_format_of("-"), PointFormat::kPly);
 }
 

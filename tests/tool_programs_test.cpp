@@ -110,7 +110,7 @@ TEST_F(Programs, SlicesToPointsFollowsTheSameRules) {
   const Result points = run("slices-to-points ramp.mhd --iso 1 -o - --output-format xyz");
   EXPECT_EQ(points.code, 0) << points.error;
   EXPECT_EQ(points.output, "10.5 20 30\n");
-  const Result ply = run("slices-to-points ramp.mhd --iso 1 -o -");
+  const Result ply = run("slices-to-points ramp.mhd --iso 1 -o - --output-format ply");
   EXPECT_NE(ply.output.find("element vertex 1\nproperty float x"), std::string::npos);
 
   expect_refusal("slices-to-points ramp.mhd -o out", 64);

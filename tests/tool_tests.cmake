@@ -9,6 +9,9 @@ stream_recon_test(tool_clouds_test
 stream_recon_test(tool_point_sink_test
   SOURCES tool_point_sink_test.cpp
   LIBRARIES stream_recon_points)
+stream_recon_test(tool_sampling_test
+  SOURCES tool_iso_scan_test.cpp tool_sampling_test.cpp
+  LIBRARIES stream_recon_sampling GTest::gmock)
 stream_recon_test(tool_radix_sort_test
   SOURCES tool_radix_sort_test.cpp
   LIBRARIES stream_recon_kernel_bench)
@@ -26,6 +29,10 @@ stream_recon_test(tool_html_test
   SOURCES tool_html_test.cpp
   LIBRARIES stream_recon_html GTest::gmock)
 
+stream_recon_test(tool_check_test PARALLEL
+  SOURCES tool_check_test.cpp
+  LIBRARIES stream_recon_check)
+
 stream_recon_test(tool_programs_test
   SOURCES tool_programs_test.cpp
   LIBRARIES stream_recon::io)
@@ -36,7 +43,33 @@ target_compile_definitions(tool_programs_test PRIVATE
 if(STREAM_RECON_CONVERTERS)
   add_dependencies(tool_programs_test slices-to-points)
   target_compile_definitions(tool_programs_test PRIVATE STREAM_RECON_HAS_CONVERTERS)
+  stream_recon_test(tool_converter_test
+    SOURCES tool_converter_test.cpp
+    LIBRARIES stream_recon::io GTest::gmock)
+  add_dependencies(tool_converter_test slices-to-points stream-recon)
+  target_compile_definitions(tool_converter_test PRIVATE
+    STREAM_RECON_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  find_package(ZLIB REQUIRED)
+  target_link_libraries(tool_converter_test PRIVATE ZLIB::ZLIB)
   stream_recon_test(tool_slices_test
-    SOURCES tool_iso_points_test.cpp tool_itk_volume_test.cpp
-    LIBRARIES stream_recon_slices)
+    SOURCES tool_image_stack_test.cpp tool_raw_volume_test.cpp
+      tool_shared_volumes_test.cpp tool_volume_file_test.cpp
+    LIBRARIES stream_recon_slices stream_recon_sampling)
+  find_package(JPEG REQUIRED)
+  find_package(TIFF REQUIRED)
+  target_link_libraries(tool_slices_test PRIVATE JPEG::JPEG PNG::PNG TIFF::TIFF ZLIB::ZLIB)
+
+  # The commands of the cookbook, a test for each recipe.
+  set(cookbook ${CMAKE_CURRENT_SOURCE_DIR}/cookbook.py)
+  set(recipes_of ${PROJECT_SOURCE_DIR}/docs/cookbook.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${recipes_of})
+  execute_process(COMMAND ${Python3_EXECUTABLE} ${cookbook} --list ${recipes_of}
+    OUTPUT_VARIABLE recipes OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\n" ";" recipes "${recipes}")
+  foreach(recipe ${recipes})
+    add_test(NAME "cookbook: ${recipe}" COMMAND Python3::Interpreter ${cookbook} ${recipes_of}
+      ${recipe} ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} ${PROJECT_SOURCE_DIR}/../shared/data)
+    set_tests_properties("cookbook: ${recipe}" PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+  endforeach()
+  add_test(NAME cookbook_check_can_fail COMMAND Python3::Interpreter ${cookbook} --self-check)
 endif()

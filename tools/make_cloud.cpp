@@ -48,10 +48,11 @@ int main(int argc, char** argv) {
   const std::map<std::string, PointFormat> formats{{"ply", PointFormat::kPly},
                                                    {"xyz", PointFormat::kXyz},
                                                    {"f32", PointFormat::kF32},
-                                                   {"f64", PointFormat::kF64}};
+                                                   {"f64", PointFormat::kF64},
+                                                   {"pts", PointFormat::kPts}};
   const auto* format =
       app.add_option("--format", output.format,
-                     "ply, xyz, f32 or f64 (default: by the name's ending, else ply)")
+                     "ply, xyz, f32, f64 or pts (default: by the name's ending, else ply)")
           ->transform(CLI::Transformer(formats));
   const std::map<std::string, Scalar> scalars{{"float", Scalar::kFloat32},
                                               {"double", Scalar::kFloat64}};

@@ -31,15 +31,15 @@ struct CommandLine {
 };
 
 void add_input_options(CLI::App& app, CommandLine& line) {
-  const std::map<std::string, InputFormat> formats{
-      {"auto", InputFormat::kAuto}, {"ply", InputFormat::kPly}, {"xyz", InputFormat::kXyz},
-      {"f32", InputFormat::kF32},   {"f64", InputFormat::kF64}, {"vtk", InputFormat::kVtk},
-      {"vtp", InputFormat::kVtp}};
+  std::map<std::string, InputFormat> formats;
+  for (const char* name : kInputFormatNames) {
+    formats.emplace(name, static_cast<InputFormat>(formats.size()));
+  }
   app.add_option("INPUT", line.run.inputs,
                  "Point files, read one after the other; - is standard input")
       ->required();
   app.add_option("--input-format", line.run.input_format,
-                 "auto, ply, xyz, f32, f64, vtk or vtp (default: auto)")
+                 "auto, ply, xyz, f32, f64, vtk, vtp or pts (default: auto)")
       ->transform(CLI::CheckedTransformer(formats))
       ->option_text("FORMAT");
 }

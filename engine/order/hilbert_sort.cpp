@@ -149,17 +149,17 @@ class HilbertSort {
   void merge_runs(StoreWriter& store) {
     if (runs_.empty()) return;
     const std::uint64_t fan_in =
-        std::max<std::uint64_t>(2, context_.budget.available() / RunMerger::memory(1));
+        std::max<std::uint64_t>(2, context_.budget.available() / RunMerger<SortRecord>::memory(1));
     while (runs_.size() > fan_in) merge_first_runs(fan_in);
     const Reservation memory =
-        context_.budget.reserve(RunMerger::memory(runs_.size()), "merging sorted runs");
+        context_.budget.reserve(RunMerger<SortRecord>::memory(runs_.size()), "merging sorted runs");
     context_.progress.begin_stage("order: merge", cloud_.finite_points(), "points");
     merge(runs_, [&store](const SortRecord& record) { store.append(record.stored); });
   }
 
   void merge_first_runs(std::uint64_t fan_in) {
     const Reservation memory =
-        context_.budget.reserve(RunMerger::memory(fan_in), "merging sorted runs");
+        context_.budget.reserve(RunMerger<SortRecord>::memory(fan_in), "merging sorted runs");
     const auto cut = runs_.begin() + static_cast<std::ptrdiff_t>(fan_in);
     const std::vector<std::string> group(runs_.begin(), cut);
     runs_.erase(runs_.begin(), cut);
@@ -172,7 +172,7 @@ class HilbertSort {
   /// Hands the records of `runs` over in order and removes the runs.
   template <class Take>
   void merge(const std::vector<std::string>& runs, const Take& take) {
-    RunMerger merger(context_.scratch, runs);
+    RunMerger<SortRecord> merger(context_.scratch, runs);
     SortRecord record;
     for (std::uint64_t count = 0; merger.next(record); ++count) {
       if (count % kBatch == 0) {

@@ -1,5 +1,6 @@
 #include "engine/order/ingest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -35,6 +36,14 @@ void take_batch(std::span<const Point3> batch, CloudSummary& summary,
   }
 }
 
+void widen(std::optional<SampleSpacing>& spacing, const std::optional<SampleSpacing>& other) {
+  if (!other) return;
+  if (!spacing) spacing = other;
+  for (std::size_t axis = 0; axis < spacing->size(); ++axis) {
+    (*spacing)[axis] = std::max((*spacing)[axis], (*other)[axis]);
+  }
+}
+
 }  // namespace
 
 CloudSummary ingest(const IngestOptions& options, const StageContext& context) {
@@ -58,6 +67,7 @@ CloudSummary ingest(const IngestOptions& options, const StageContext& context) {
       context.progress.advance(count);
     }
     summary.bytes += source->bytes_read();
+    widen(summary.spacing, source->metadata().spacing);
     context.progress.end_stage();
   }
   spool.finish();

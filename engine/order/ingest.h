@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct CloudSummary {
   Box3 box;                    ///< of the finite points
   CoordinateRange range;       ///< of the finite points
   bool fits_float32 = true;    ///< every coordinate is a float32
+  /// Of the grid the points were sampled on, along its axes: of all inputs that say one, the
+  /// widest.
+  std::optional<SampleSpacing> spacing;
 
   std::uint64_t finite_points() const { return points - rejected; }
 };

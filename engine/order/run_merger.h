@@ -4,12 +4,12 @@
 // Memory: RunMerger::memory(runs). Source: Knuth, The Art of Computer Programming 3, section 5.4.1.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/order/sort_record.h"
 #include "engine/scratch_records.h"
 #include "io/scratch_directory.h"
 
@@ -17,13 +17,31 @@ namespace stream_recon {
 
 inline constexpr std::size_t kRunBlock = std::size_t{128} << 10;
 
+/// \tparam Record with a total operator<
+template <DiskRecord Record>
 class RunMerger {
  public:
   /// \throw IoError
-  RunMerger(const ScratchDirectory& scratch, const std::vector<std::string>& runs);
+  RunMerger(const ScratchDirectory& scratch, const std::vector<std::string>& runs)
+      : runs_(runs.size()) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      runs_[i].reader = std::make_unique<ScratchReader<Record>>(scratch, runs[i]);
+      if (runs_[i].refill()) push(i);
+    }
+  }
 
   /// False at the end. \throw IoError
-  bool next(SortRecord& record);
+  bool next(Record& record) {
+    if (heap_.empty()) return false;
+    std::pop_heap(heap_.begin(), heap_.end(), Later{&runs_});
+    const std::size_t winner = heap_.back();
+    heap_.pop_back();
+    Run& run = runs_[winner];
+    record = run.front();
+    ++run.next;
+    if (run.next < run.buffer.size() || run.refill()) push(winner);
+    return true;
+  }
 
   /// Bytes for merging `runs` runs.
   static constexpr std::uint64_t memory(std::uint64_t runs) {
@@ -32,15 +50,30 @@ class RunMerger {
 
  private:
   struct Run {
-    std::unique_ptr<ScratchReader<SortRecord>> reader;
-    std::vector<SortRecord> buffer;
+    std::unique_ptr<ScratchReader<Record>> reader;
+    std::vector<Record> buffer;
     std::size_t next = 0;
 
-    bool refill();
-    const SortRecord& front() const { return buffer[next]; }
+    bool refill() {
+      buffer.resize(kRunBlock / sizeof(Record));
+      buffer.resize(reader->read(buffer));
+      next = 0;
+      return !buffer.empty();
+    }
+    const Record& front() const { return buffer[next]; }
   };
 
-  void push(std::size_t run);
+  struct Later {
+    const std::vector<Run>* runs;
+    bool operator()(std::size_t a, std::size_t b) const {
+      return (*runs)[b].front() < (*runs)[a].front();
+    }
+  };
+
+  void push(std::size_t run) {
+    heap_.push_back(run);
+    std::push_heap(heap_.begin(), heap_.end(), Later{&runs_});
+  }
 
   std::vector<Run> runs_;
   std::vector<std::size_t> heap_;  ///< runs that are not empty, the one with the least front first

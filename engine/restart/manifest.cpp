@@ -22,14 +22,16 @@ Point3 point_from(const Json& json) {
 }
 
 Json cloud_json(const CloudSummary& cloud) {
-  return {{"points", cloud.points},
-          {"rejected", cloud.rejected},
-          {"bytes", cloud.bytes},
-          {"low", point_json(cloud.box.low)},
-          {"high", point_json(cloud.box.high)},
-          {"unit_exponent", cloud.range.unit_exponent},
-          {"magnitude_exponent", cloud.range.magnitude_exponent},
-          {"fits_float32", cloud.fits_float32}};
+  Json json{{"points", cloud.points},
+            {"rejected", cloud.rejected},
+            {"bytes", cloud.bytes},
+            {"low", point_json(cloud.box.low)},
+            {"high", point_json(cloud.box.high)},
+            {"unit_exponent", cloud.range.unit_exponent},
+            {"magnitude_exponent", cloud.range.magnitude_exponent},
+            {"fits_float32", cloud.fits_float32}};
+  if (cloud.spacing) json["spacing"] = *cloud.spacing;
+  return json;
 }
 
 CloudSummary cloud_from(const Json& json) {
@@ -41,6 +43,7 @@ CloudSummary cloud_from(const Json& json) {
   json.at("unit_exponent").get_to(cloud.range.unit_exponent);
   json.at("magnitude_exponent").get_to(cloud.range.magnitude_exponent);
   json.at("fits_float32").get_to(cloud.fits_float32);
+  if (json.contains("spacing")) cloud.spacing = json.at("spacing").get<SampleSpacing>();
   return cloud;
 }
 

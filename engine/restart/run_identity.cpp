@@ -16,9 +16,6 @@
 namespace stream_recon {
 namespace {
 
-// In the order of InputFormat.
-constexpr std::array kFormatNames{"auto", "ply", "xyz", "f32", "f64", "vtk", "vtp"};
-
 constexpr std::uint64_t kSample = std::uint64_t{64} << 10;
 
 std::string absolute_path(const std::string& path) {
@@ -65,7 +62,7 @@ RunIdentity identity_of(const RunOptions& options) {
       {"--tetrahedra", absolute_path(options.tetrahedra)},
       {"--surface", kind_name(options.surface)},
       {"--chunk-points", fmt::format("{}", options.chunk_points)},
-      {"--input-format", kFormatNames.at(static_cast<std::size_t>(options.input_format))}};
+      {"--input-format", kInputFormatNames.at(static_cast<std::size_t>(options.input_format))}};
   if (options.surface == SurfaceKind::kGamma) {
     identity["--delta-max"] = fmt::format("{}", options.delta_max_degrees);
   }

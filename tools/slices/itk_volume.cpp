@@ -1,167 +1,71 @@
 #include "tools/slices/itk_volume.h"
 
 #include <fmt/format.h>
-#include <itkImageIOFactory.h>
-#include <itkImageIOFactoryRegisterManager.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "io/error.h"
-#include "tools/slices/metaimage_length.h"
-#include "tools/slices/nifti_length.h"
-#include "tools/slices/quiet_streams.h"
+#include "tools/slices/voxel_bytes.h"
 
 namespace stream_recon {
 namespace {
 
 constexpr std::size_t kSlabBytes = std::size_t{16} << 20;
 
-/// The first line of ITK's description without the object's name and address.
-std::string reason_of(const itk::ExceptionObject& e) {
-  std::string reason = e.GetDescription();
-  const std::size_t address = reason.find("): ");
-  if (address != std::string::npos) reason.erase(0, address + 3);
-  reason.erase(0, reason.find_first_not_of('\n'));
-  reason.erase(std::min(reason.find('\n'), reason.size()));
-  while (reason.ends_with(':') || reason.ends_with(' ')) reason.pop_back();
-  return reason.empty() ? "no reason given" : reason;
-}
-
-/// Runs `read` and turns ITK's exceptions into ours.
-template <typename Read>
-void guarded(const std::string& path, Read read) {
-  try {
-    const QuietStreams quiet;
-    read();
-  } catch (const itk::ExceptionObject& e) {
-    throw InputError(fmt::format("{}: ITK cannot read this volume ({}); check that it is complete",
-                                 path, reason_of(e)));
-  }
-}
-
-itk::ImageIOBase::Pointer open_reader(const std::string& path) {
-  if (!std::filesystem::exists(path))
-    throw InputError(fmt::format("{}: no such file; check the name", path));
-  if (std::filesystem::is_directory(path))
-    throw InputError(fmt::format("{}: a folder; name a single volume file", path));
-  itk::ImageIOBase::Pointer reader;
-  guarded(path, [&] {
-    reader =
-        itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::CommonEnums::IOFileMode::ReadMode);
-    if (!reader) return;
-    reader->SetFileName(path);
-    reader->ReadImageInformation();
-  });
-  if (!reader) {
-    throw InputError(fmt::format(
-        "{}: not a volume of a format that ITK reads, or it may not be opened; convert it to NIfTI",
-        path));
-  }
-  return reader;
-}
-
-void refuse_unsuitable(const itk::ImageIOBase& reader, const std::string& path) {
-  if (reader.GetNumberOfComponents() != 1) {
-    throw InputError(fmt::format("{}: {} values a voxel; extract one component first", path,
-                                 reader.GetNumberOfComponents()));
-  }
-  for (unsigned d = 0; d < reader.GetNumberOfDimensions(); ++d) {
-    if (reader.GetDimensions(d) == 0) {
-      throw InputError(fmt::format("{}: a volume without voxels; check the file", path));
-    }
-    if (d < 3 || reader.GetDimensions(d) == 1) continue;
-    throw InputError(fmt::format("{}: {} dimensions; extract one volume of the series first", path,
-                                 reader.GetNumberOfDimensions()));
-  }
-}
-
-/// For the formats whose ITK reader takes a truncated file for a complete one.
-void check_length(const itk::ImageIOBase& reader, const std::string& path) {
-  const std::string format = reader.GetNameOfClass();
-  if (format == "NiftiImageIO") check_nifti_length(path);
-  if (format == "MetaImageIO") check_metaimage_length(path);
-}
-
-VolumeGeometry geometry_of(const itk::ImageIOBase& reader) {
-  VolumeGeometry geometry;
-  geometry.size = {1, 1, 1};
-  geometry.step = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  double origin[3] = {0, 0, 0};
-  const unsigned dimensions = std::min(3U, reader.GetNumberOfDimensions());
-  for (unsigned d = 0; d < dimensions; ++d) {
-    geometry.size[d] = reader.GetDimensions(d);
-    origin[d] = reader.GetOrigin(d);
-    std::vector<double> axis = reader.GetDirection(d);
-    axis.resize(3, 0);
-    const double spacing = reader.GetSpacing(d);
-    geometry.step[d] = {axis[0] * spacing, axis[1] * spacing, axis[2] * spacing};
-  }
-  geometry.origin = {origin[0], origin[1], origin[2]};
-  return geometry;
-}
-
-template <typename Voxel>
-void widen(const std::byte* bytes, std::span<double> out) {
-  const auto* voxels = reinterpret_cast<const Voxel*>(bytes);
-  std::copy(voxels, voxels + out.size(), out.begin());
-}
-
-/// The conversion of voxels to double; null for an unknown type.
-using Widener = void (*)(const std::byte*, std::span<double>);
-Widener widener_of(itk::IOComponentEnum type) {
+std::optional<RawType> type_of(itk::IOComponentEnum type) {
   switch (type) {
     case itk::IOComponentEnum::UCHAR:
-      return widen<unsigned char>;
+      return RawType::kUint8;
     case itk::IOComponentEnum::CHAR:
-      return widen<signed char>;
+      return RawType::kInt8;
     case itk::IOComponentEnum::USHORT:
-      return widen<unsigned short>;
+      return RawType::kUint16;
     case itk::IOComponentEnum::SHORT:
-      return widen<short>;
+      return RawType::kInt16;
     case itk::IOComponentEnum::UINT:
-      return widen<unsigned int>;
+      return RawType::kUint32;
     case itk::IOComponentEnum::INT:
-      return widen<int>;
+      return RawType::kInt32;
     case itk::IOComponentEnum::ULONG:
-      return widen<unsigned long>;
+      return sizeof(unsigned long) == 8 ? RawType::kUint64 : RawType::kUint32;
     case itk::IOComponentEnum::LONG:
-      return widen<long>;
+      return sizeof(long) == 8 ? RawType::kInt64 : RawType::kInt32;
     case itk::IOComponentEnum::ULONGLONG:
-      return widen<unsigned long long>;
+      return RawType::kUint64;
     case itk::IOComponentEnum::LONGLONG:
-      return widen<long long>;
+      return RawType::kInt64;
     case itk::IOComponentEnum::FLOAT:
-      return widen<float>;
+      return RawType::kFloat32;
     case itk::IOComponentEnum::DOUBLE:
-      return widen<double>;
+      return RawType::kFloat64;
     default:
-      return nullptr;
+      return std::nullopt;
   }
 }
 
 class ItkVolume : public Volume {
  public:
-  explicit ItkVolume(const std::string& path) : path_(path), reader_(open_reader(path)) {
-    refuse_unsuitable(*reader_, path);
-    check_length(*reader_, path);
-    widener_ = widener_of(reader_->GetComponentType());
-    if (widener_ == nullptr) {
+  explicit ItkVolume(ItkFile file)
+      : path_(std::move(file.path)), reader_(file.reader), geometry_(file.geometry) {
+    const auto type = type_of(reader_->GetComponentType());
+    if (!type) {
       throw InputError(
-          fmt::format("{}: unknown type of voxel; convert it to short or float", path));
+          fmt::format("{}: unknown type of voxel; convert it to short or float", path_));
     }
-    geometry_ = geometry_of(*reader_);
+    format_ = {*type, std::endian::native};
     slice_bytes_ = geometry_.size[0] * geometry_.size[1] * reader_->GetComponentSize();
     slab_slices_ = reader_->CanStreamRead() ? std::max<std::size_t>(1, kSlabBytes / slice_bytes_)
                                             : geometry_.size[2];
   }
 
   const VolumeGeometry& geometry() const override { return geometry_; }
+  std::string source() const override { return path_; }
 
   void read_slice(std::size_t k, std::span<double> out) override {
     if (k < first_ || k >= last_) read_slab(k);
-    widener_(slab_.data() + (k - first_) * slice_bytes_, out);
+    widen_voxels(slab_.data() + (k - first_) * slice_bytes_, format_, out);
   }
 
  private:
@@ -188,7 +92,7 @@ class ItkVolume : public Volume {
   /// readers leave what a truncated file does not have, and say nothing.
   bool leaves(std::byte before, const itk::ImageIORegion& region) {
     std::fill(slab_.begin(), slab_.end(), before);
-    guarded(path_, [&] {
+    call_itk(path_, [&] {
       reader_->SetIORegion(region);
       reader_->Read(slab_.data());
     });
@@ -198,7 +102,7 @@ class ItkVolume : public Volume {
 
   std::string path_;
   itk::ImageIOBase::Pointer reader_;
-  Widener widener_ = nullptr;
+  VoxelFormat format_;
   VolumeGeometry geometry_;
   std::size_t slice_bytes_ = 0, slab_slices_ = 0;
   std::size_t first_ = 0, last_ = 0;  // slices in the slab
@@ -207,8 +111,8 @@ class ItkVolume : public Volume {
 
 }  // namespace
 
-std::unique_ptr<Volume> open_itk_volume(const std::string& path) {
-  return std::make_unique<ItkVolume>(path);
+std::unique_ptr<Volume> open_itk_volume(ItkFile file) {
+  return std::make_unique<ItkVolume>(std::move(file));
 }
 
 }  // namespace stream_recon
