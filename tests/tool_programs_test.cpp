@@ -61,6 +61,11 @@ TEST_F(Programs, WrongUseIs64) {
   expect_refusal("mesh-preview a.pvtp", 64);
   expect_refusal("mesh-preview a.pvtp -o out --size 10", 64);
   expect_refusal("mesh-preview a.pvtp -o out --view inside", 64);
+  expect_refusal("mesh-preview a.pvtp -o out --views front,inside", 64);
+  expect_refusal("mesh-preview a.pvtp -o out --color pink", 64);
+  expect_refusal("mesh-preview a.pvtp b.pvtp c.pvtp -o out --color none --color none", 64);
+  expect_refusal("mesh-preview a.pvtp -o out --background pink", 64);
+  expect_refusal("mesh-preview a.pvtp -o out --view left --views front,top", 64);
 }
 
 TEST_F(Programs, BadInputIs65) {

@@ -143,7 +143,7 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
 
 /// Finds out before the work whether the page can be written.
 void try_html(const std::string& path) {
-  if (!path.empty() && path != "-") AtomicOutput{path};
+  if (!path.empty() && path != "-") const AtomicOutput probe(path);
 }
 
 void write_html(const CommandLine& line, const Report& report) {

@@ -154,7 +154,7 @@ std::string stages(const Report& report) {
 }
 
 std::string charts(const Report& report) {
-  const std::string memory = section("Memory over time", memory_chart(report));
+  std::string memory = section("Memory over time", memory_chart(report));
   if (!has_surface(report)) return memory;
   const std::string delta =
       section("Triangles by angle Delta",

@@ -12,8 +12,8 @@
 namespace stream_recon::html {
 namespace {
 
-constexpr double kWidth = 800;
-constexpr double kHeight = 800;
+constexpr double kWidth = 720;
+constexpr double kHeight = 720;
 constexpr double kStripWidth = 1050;  // three views side by side
 constexpr double kStripHeight = 420;
 constexpr double kLeastShare = 0.25;  // of the sides; smaller ones show nothing

@@ -49,9 +49,10 @@ class Column {
       const double top = y_ + row;
       fill({0, top, kSwatch * size_, top + 1}, scale_color(1 - (row + 0.5) / length));
     }
-    for (int tick = 0; tick <= kTicks; ++tick) {
-      const double value = end * tick / kTicks;
-      const double y = y_ + length * (kTicks - tick) / kTicks - kSwatch * size_ / 2;
+    const int ticks = length > kTicks * kLine * size_ ? kTicks : kTicks / 3;
+    for (int tick = 0; tick <= ticks; ++tick) {
+      const double value = end * tick / ticks;
+      const double y = y_ + length * (ticks - tick) / ticks - kSwatch * size_ / 2;
       text(std::to_string(std::lround(value)), kIndent * size_, y);
     }
     y_ += length + size_;

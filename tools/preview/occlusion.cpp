@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace stream_recon {
@@ -62,13 +63,16 @@ class Horizon {
       const float sx = static_cast<float>(x) + 0.5F + distance * ray.x;
       const float sy = static_cast<float>(y) + 0.5F + distance * ray.y;
       if (!on_screen(sx, sy)) break;
-      const float other = cells_.depth(static_cast<std::size_t>(sx), static_cast<std::size_t>(sy));
+      const auto cx = static_cast<std::int32_t>(sx);
+      const auto cy = static_cast<std::int32_t>(sy);
+      const float other = cells_.depth(static_cast<std::size_t>(cx), static_cast<std::size_t>(cy));
       if (other == DepthBuffer::kNothing) continue;
-      const float dx = std::floor(sx) - static_cast<float>(x);
-      const float dy = std::floor(sy) - static_cast<float>(y);
+      const auto dx = static_cast<float>(cx - static_cast<std::int32_t>(x));
+      const auto dy = static_cast<float>(cy - static_cast<std::int32_t>(y));
       const float dz = other - depth;
-      const float length = std::sqrt(dx * dx + dy * dy + dz * dz);
-      const float sine = (normal.x * dx + normal.y * dy + normal.z * dz) / length;
+      const float rise = normal.x * dx + normal.y * dy + normal.z * dz;
+      if (rise <= 0) continue;
+      const float sine = rise / std::sqrt(dx * dx + dy * dy + dz * dz);
       const float nearness = 1 - (distance / reach_) * (distance / reach_);
       const float same_body = std::clamp(2 - dz / reach_, 0.0F, 1.0F);
       highest = std::max(highest, (sine - kTangent) * nearness * same_body);

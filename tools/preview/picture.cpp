@@ -39,7 +39,7 @@ void encode_rows(png_structp png, png_infop info, const Picture& picture) {
                static_cast<png_uint_32>(picture.height()), 8,
                is_opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_compression_level(png, 9);
+  png_set_compression_level(png, 6);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
   png_write_info(png, info);
   std::vector<std::uint8_t> row;

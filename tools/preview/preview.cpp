@@ -65,11 +65,11 @@ class Panel {
     }
   }
 
-  /// Half the points of a closed surface are seen, on about half of the box: discs that just cover.
+  /// Points on a ball are sqrt(pi) times as far apart as the box's share of each: discs that cover.
   float disc_radius(std::uint64_t points) const {
     constexpr double kLeast = 1.2;
     constexpr double kMost = 10;
-    const double spacing = 1.2 * std::sqrt(area_ / static_cast<double>(points));
+    const double spacing = 1.45 * std::sqrt(area_ / static_cast<double>(points));
     return static_cast<float>(std::clamp(spacing, kLeast, kMost));
   }
 
