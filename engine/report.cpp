@@ -1,10 +1,8 @@
 #include "engine/report.h"
 
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "io/atomic_output.h"
-#include "io/file.h"
 
 namespace stream_recon {
 namespace {
@@ -89,15 +87,7 @@ std::string to_json(const Report& report) {
 }
 
 void write_report(const Report& report, const std::string& path) {
-  const std::string text = to_json(report);
-  const auto bytes = std::as_bytes(std::span(text));
-  if (path == "-") {
-    File::standard_output().write(bytes);
-    return;
-  }
-  AtomicOutput output(path);
-  output.file().write(bytes);
-  output.commit();
+  write_output(path, to_json(report));
 }
 
 }  // namespace stream_recon

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "io/error.h"
@@ -44,6 +45,17 @@ void AtomicOutput::commit() {
     remove_file(path_.c_str());  // the caller is told there is no result, so let there be none
     throw;
   }
+}
+
+void write_output(const std::string& path, std::string_view bytes) {
+  const auto data = std::as_bytes(std::span(bytes));
+  if (path == "-") {
+    File::standard_output().write(data);
+    return;
+  }
+  AtomicOutput output(path);
+  output.file().write(data);
+  output.commit();
 }
 
 }  // namespace stream_recon

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "io/file.h"
 #include "io/temporary_path.h"
@@ -30,5 +31,9 @@ class AtomicOutput {
   File file_;
   TemporaryPath temporary_;
 };
+
+/// Puts all of a small file under `path`, complete or not at all; "-" is standard output.
+/// \throw IoError
+void write_output(const std::string& path, std::string_view bytes);
 
 }  // namespace stream_recon

@@ -68,7 +68,7 @@ TEST_F(Html, HoldsTheFiguresOfTheReportAndPictures) {
          {report["input"]["points"], report["delaunay"]["tetrahedra"],
           report["surface"]["vertices"], report["surface"]["triangles"],
           report["surface"]["boundary_edges"]}) {
-      EXPECT_THAT(page, HasSubstr(">" + with_commas(number) + "<"));
+      EXPECT_THAT(page, HasSubstr(std::string(">").append(with_commas(number)).append("<")));
     }
     EXPECT_THAT(page, HasSubstr(report["surface"]["digest"].get<std::string>()));
     EXPECT_THAT(page, HasSubstr(report["delaunay"]["digest"].get<std::string>()));

@@ -22,7 +22,7 @@ DOORS = {
     r"(itk|gdcm|jpeglib|tiffio)": ["tools/slices"],
     r"libdeflate\.h": ["io/vtk_xml_blocks.cpp", "io/vtp_codec.cpp"],
     r"lz4": ["io/vtp_codec.cpp"],
-    r"nlohmann/": ["engine", "tools"],
+    r"nlohmann/": ["io/pts_encoder.cpp", "io/pts_reader.cpp", "engine", "tools"],
     r"png\.h": ["tools"],
     r"spdlog/": ["tools"],
     r"(tbb|oneapi)/": ["engine/parallel.h"],

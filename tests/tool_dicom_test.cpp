@@ -162,7 +162,7 @@ TEST_F(Dicom, UnevenSlicesAreRefusedBeyondAFewPercent) {
       SmallDicom file;
       file.number = n;
       file.position = at_height(n == 3 ? last : std::to_string(n));
-      put("u" + std::to_string(n), file);
+      put(std::string("u").append(std::to_string(n)), file);
     }
     if (is_even) {
       EXPECT_EQ(refused(), "");

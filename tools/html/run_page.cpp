@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
 #include "io/atomic_output.h"
 #include "tools/html/chart.h"
@@ -57,7 +56,10 @@ std::string quoted(const std::string& word) {
 
 std::string command(const std::vector<std::string>& words) {
   std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted(word);
+  for (const std::string& word : words) {
+    if (!line.empty()) line += ' ';
+    line += quoted(word);
+  }
   return escape(line);
 }
 
@@ -247,15 +249,7 @@ std::string run_page(const RunPage& page) {
 }
 
 void write_run_page(const RunPage& page, const std::string& path) {
-  const std::string text = run_page(page);
-  const auto data = std::as_bytes(std::span(text));
-  if (path == "-") {
-    File::standard_output().write(data);
-    return;
-  }
-  AtomicOutput output(path);
-  output.file().write(data);
-  output.commit();
+  write_output(path, run_page(page));
 }
 
 }  // namespace stream_recon::html

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <stdexcept>
 
 #include "io/atomic_output.h"
@@ -95,15 +94,7 @@ std::string encode_png(const Picture& picture) {
 }
 
 void write_png(const Picture& picture, const std::string& path) {
-  const std::string bytes = encode_png(picture);
-  const auto data = std::as_bytes(std::span(bytes));
-  if (path == "-") {
-    File::standard_output().write(data);
-    return;
-  }
-  AtomicOutput output(path);
-  output.file().write(data);
-  output.commit();
+  write_output(path, encode_png(picture));
 }
 
 }  // namespace stream_recon

@@ -101,6 +101,16 @@ std::unique_ptr<Volume> open_files(const VolumeRequest& request) {
                   paths.front(), paths.size()));
 }
 
+// More than a damaged header asks for by chance; such a slice takes 8 GiB.
+constexpr double kMostSliceVoxels = 1 << 30;
+
+void check_size(const Volume& volume, const std::string& name) {
+  const auto& size = volume.geometry().size;
+  if (static_cast<double>(size[0]) * static_cast<double>(size[1]) <= kMostSliceVoxels) return;
+  throw InputError(fmt::format("{}: slices of {} x {} voxels are too large; check its header", name,
+                               size[0], size[1]));
+}
+
 }  // namespace
 
 std::unique_ptr<Volume> open_volume(const VolumeRequest& request) {
@@ -108,6 +118,7 @@ std::unique_ptr<Volume> open_volume(const VolumeRequest& request) {
   check_files(request.paths);
   const std::string& name = request.paths.front();
   auto volume = std::filesystem::is_directory(name) ? open_folder(request) : open_files(request);
+  check_size(*volume, name);
   if (request.spacing) return std::make_unique<RespacedVolume>(std::move(volume), *request.spacing);
   if (request.needs_spacing && !volume->geometry().has_spacing) {
     throw InputError(
