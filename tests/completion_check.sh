@@ -53,7 +53,7 @@ for program in "${programs[@]}"; do
   done
 done
 
-expect "auto ply xyz f32 f64 vtk vtp" stream-recon --input-format ''
+expect "auto ply xyz f32 f64 vtk vtp pts" stream-recon --input-format ''
 expect "gamma alpha none" stream-recon in.ply --surface ''
 expect "gamma" stream-recon in.ply --surface g
 expect "auto bar json none" stream-recon --progress ''
@@ -81,10 +81,10 @@ expect "64M" mesh-check --memory 6
 
 expect "surface surface.pvtp" mesh-preview s
 expect "a.ply" mesh-preview surface.pvtp -o a
-[[ $(offered mesh-preview surface.pvtp --view f | one_line) == front* ]] ||
-  { echo "mesh-preview --view f does not offer front"; failed=1; }
+expect "front back left right top bottom" mesh-preview surface.pvtp --view ''
+expect "component" mesh-preview surface.pvtp --color c
 
-expect "ply xyz f32 f64" make-cloud cube --format ''
+expect "ply xyz f32 f64 pts" make-cloud cube --format ''
 expect "float double" make-cloud cube --scalar ''
 expect "folded" make-cloud fo
 kinds=$(make-cloud --help | sed -n '/^Kinds:/,$p' | awk '/^  / { print $1 }' | one_line)
@@ -96,7 +96,9 @@ expect "a.ply" bench-kernel a
 expect "--json" bench-kernel a.ply --js
 
 if [[ " ${programs[*]} " == *' slices-to-points '* ]]; then
-  expect "ply xyz f32 f64" slices-to-points v.nii --output-format ''
+  expect "ply xyz f32 f64 pts" slices-to-points v.nii --output-format ''
+  expect "world index" slices-to-points v.nii --coordinates ''
+  expect "" slices-to-points v.nii --dims ''
   expect "float double" slices-to-points v.nii --scalar ''
   expect "" slices-to-points v.nii --iso ''
 fi

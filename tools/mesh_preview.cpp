@@ -34,7 +34,7 @@ void add_options(CLI::App& app, CommandLine& line) {
   auto* view = app.add_option(
       "--view", line.view,
       "front (seen along +y: x to the right, z up), back, left (from +x: the body's own left), "
-      "right (from -x), top (from +z), bottom, or AZIMUTH,ELEVATION in degrees: from the front "
+      "right (from -x), top (from +z), bottom, or AZIMUTH,ELEVATION in degrees, from the front "
       "towards the body's left, then up");
   view->capture_default_str();
   app.add_option("--views", line.views, "Several, side by side: front,left,top")->excludes(view);

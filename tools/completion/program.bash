@@ -4,7 +4,8 @@
 # nothing here is out of date. What --help says is what is completed:
 #   - a description that begins with a list of words ("auto, ply or xyz; ...") completes to them;
 #   - endings in it (".ply", "OUT.vtk") are those of the files that are shown, without any all are;
-#   - DIR stands for a folder, SIZE for 512M and the like, N, R, DEG, INT, UINT, FLOAT for numbers;
+#   - DIR stands for a folder, SIZE for 512M and the like, COLOR for what colours say; N, V, X,Y,Z and
+#     others for what only the user knows;
 #   - an argument that is described "below" completes to the words listed there.
 
 declare -gA _stream_recon_helps 2>/dev/null
@@ -72,7 +73,8 @@ _stream_recon_value() {
   local -a words
   case $value in
     SIZE) words=(64M 128M 256M 512M 1G 2G 4G 8G 16G) ;;
-    N | R | DEG | INT* | UINT* | FLOAT*) return ;;
+    N | R | S | V | X,Y,Z | I:* | BYTES | DEG | ID | PIXELS | INT* | UINT* | FLOAT*) return ;;
+    COLOR) words=(Delta Source component none) ;;
     DIR)
       compopt -o filenames 2>/dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
@@ -104,7 +106,7 @@ _stream_recon_complete() {
 
   local line next name value text argument_value="" argument_text=""
   local -a options=() names
-  local option='^  (-[^ ]+)( ([A-Z][^ ]*))?( REQUIRED)?(  +(.*))?$'
+  local option='^  (-[^ ]+)( ([A-Z]([^ ]*[^ :])?))?( REQUIRED)?( (Needs|Excludes): [^ ]+)*(  +(.*))?$'
   local argument='^  ([^ -][^ ]*) ([A-Z][^ ]*)( \.\.\.)?( REQUIRED)?(  +(.*))?$'
   local -a lines
   mapfile -t lines <<<"$help"
@@ -114,7 +116,7 @@ _stream_recon_complete() {
     [[ $next == '          '* ]] && line+=$next
     if [[ $line =~ $option ]]; then
       IFS=, read -ra names <<<"${BASH_REMATCH[1]}"
-      value=${BASH_REMATCH[3]} text=${BASH_REMATCH[6]}
+      value=${BASH_REMATCH[3]} text=${BASH_REMATCH[9]}
       for name in "${names[@]}"; do
         [[ $name == --* ]] && options+=("$name")
         if [[ $value && $previous == "$name" ]]; then
