@@ -68,8 +68,12 @@ std::string memory_chart(const Report& report) {
     plot.add_point(sample.seconds, static_cast<double>(sample.resident_bytes));
   }
   plot.end_area();
-  if (is_near) plot.level(budget, "budget " + bytes(report.memory_budget_bytes));
-  return plot.svg();
+  if (is_near) {
+    plot.level(budget, "budget " + bytes(report.memory_budget_bytes));
+    return plot.svg();
+  }
+  return plot.svg() + fmt::format("<p class=\"hint\">The budget, {}, lies far above.</p>\n",
+                                  bytes(report.memory_budget_bytes));
 }
 
 std::string delta_chart(const DeltaHistogram& histogram) {

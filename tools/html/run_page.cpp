@@ -7,34 +7,14 @@
 #include "io/atomic_output.h"
 #include "tools/html/chart.h"
 #include "tools/html/page_style.h"
+#include "tools/html/run_figures.h"
 #include "tools/html/text.h"
 
 namespace stream_recon::html {
 namespace {
 
-/// A table of what is and how much, already escaped.
-class Figures {
- public:
-  Figures& add(const std::string& name, const std::string& value) {
-    rows_ += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td></tr>\n", name,
-                         value);
-    return *this;
-  }
-  std::string section(const std::string& title) const {
-    return fmt::format("<section><h2>{}</h2>\n<table><tbody>\n{}</tbody></table></section>\n",
-                       title, rows_);
-  }
-
- private:
-  std::string rows_;
-};
-
 std::string section(const std::string& title, const std::string& content) {
   return fmt::format("<section><h2>{}</h2>\n{}</section>\n", title, content);
-}
-
-std::string pair(const std::string& left, const std::string& right) {
-  return "<div class=\"pair\">\n" + left + right + "</div>\n";
 }
 
 /// A word as a shell would need it typed.
@@ -63,18 +43,10 @@ std::string command(const std::vector<std::string>& words) {
   return escape(line);
 }
 
-std::string hash(const std::string& digest) {
-  return "<span class=\"hash\">" + escape(digest) + "</span>";
-}
-
 std::string joined(const std::vector<std::string>& names, const char* between) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : between) + escape(name);
   return text;
-}
-
-bool has_surface(const Report& report) {
-  return report.surface.kind != "none";
 }
 
 std::string file_name(const std::string& path) {
@@ -166,61 +138,6 @@ std::string charts(const Report& report) {
   return "<div class=\"pair charts\">\n" + memory + delta + "</div>\n";
 }
 
-std::string surface_figures(const Report& report) {
-  const auto& surface = report.surface;
-  return Figures()
-      .add("kind", escape(surface.kind))
-      .add("vertices", count(surface.vertices))
-      .add("triangles", count(surface.triangles))
-      .add("boundary edges", count(surface.boundary_edges))
-      .add("edges of 3 or more triangles", count(surface.nonmanifold_edges))
-      .add("Euler characteristic", count(surface.euler))
-      .add("digest", hash(surface.digest))
-      .section("Surface");
-}
-
-std::string input_figures(const Report& report) {
-  return Figures()
-      .add("points", count(report.input.points))
-      .add("duplicates", count(report.input.duplicates))
-      .add("not finite", count(report.input.rejected))
-      .add("Delaunay tetrahedra", count(report.delaunay.tetrahedra))
-      .add("digest", hash(report.delaunay.digest))
-      .section("Input and Delaunay structure");
-}
-
-std::string window_figures(const Report& report) {
-  const auto& windows = report.windows;
-  return Figures()
-      .add("windows", count(windows.count))
-      .add("begun too large", count(windows.splits))
-      .add("guests", count(windows.guests))
-      .add("rounds", count(windows.rounds))
-      .add("cells asked about", count(windows.queries))
-      .add("nodes visited", count(windows.node_visits))
-      .add("inserting, all threads", duration(windows.insert_seconds))
-      .add("searching, all threads", duration(windows.search_seconds))
-      .section("Windows");
-}
-
-std::string resource_figures(const Report& report) {
-  return Figures()
-      .add("time", duration(report.seconds))
-      .add("threads", count(std::uint64_t{report.threads}))
-      .add("memory allowed", bytes(report.memory_budget_bytes))
-      .add("peak memory", bytes(report.peak_rss_bytes))
-      .add("peak of the scratch files", bytes(report.scratch_peak_bytes))
-      .section("Resources");
-}
-
-std::string figures(const Report& report) {
-  if (!has_surface(report)) {
-    return pair(input_figures(report), resource_figures(report)) + window_figures(report);
-  }
-  return pair(surface_figures(report), input_figures(report)) +
-         pair(window_figures(report), resource_figures(report));
-}
-
 std::string head(const RunPage& page) {
   std::string text = "<p class=\"kicker\">stream-recon " + escape(page.report.version) +
                      "</p>\n<h1>" + title(page) + "</h1>\n";
@@ -243,7 +160,7 @@ std::string run_page(const RunPage& page) {
              "stream-recon</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
              title(page), kPageStyle) +
          head(page) + tiles(page.report) + pictures(page.pictures) + charts(page.report) +
-         stages(page.report) + figures(page.report) +
+         stages(page.report) + run_figures(page.report) +
          section("Command", "<code>" + command(page.command) + "</code>\n") +
          "</main>\n</body>\n</html>\n";
 }
