@@ -79,8 +79,12 @@ std::vector<PreviewInput> parse_inputs(const CommandLine& line) {
 void draw(const CommandLine& line) {
   PreviewOptions options;
   parse_size(line.size, options);
-  options.views = line.views.empty() ? std::vector{NamedView{line.view, parse_view(line.view)}}
-                                     : parse_views(line.views);
+  if (line.views.empty()) {
+    const View view = parse_view(line.view);
+    options.views = {{line.view, view}};
+  } else {
+    options.views = parse_views(line.views);
+  }
   options.background = parse_background(line.background);
   options.point_size = line.point_size;
   options.has_legend = !line.no_legend;
