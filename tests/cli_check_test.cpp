@@ -8,18 +8,13 @@
 #include <string>
 
 #include "tests/cli_program.h"
+#include "tests/process_memory_check.h"
 
 namespace stream_recon {
 namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMemoryIsOurs = false;
-#else
-constexpr bool kMemoryIsOurs = true;
-#endif
 
 constexpr const char* kOpenSquare =
     "printf 'ply\\nformat ascii 1.0\\nelement vertex 4\\nproperty float x\\nproperty float y\\n"

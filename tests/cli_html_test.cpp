@@ -11,18 +11,13 @@
 #include <vector>
 
 #include "tests/cli_program.h"
+#include "tests/process_memory_check.h"
 
 namespace stream_recon {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMemoryIsOurs = false;
-#else
-constexpr bool kMemoryIsOurs = true;
-#endif
 
 std::string with_commas(std::uint64_t number) {
   std::string text = std::to_string(number);

@@ -9,17 +9,12 @@
 #include <vector>
 
 #include "tests/cli_program.h"
+#include "tests/process_memory_check.h"
 
 namespace stream_recon {
 namespace {
 
 using testing::HasSubstr;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMemoryIsOurs = false;
-#else
-constexpr bool kMemoryIsOurs = true;
-#endif
 
 TEST(Results, AreTheSameBytesForEveryBudgetAndThreadCount) {
   const CommandFolder folder;

@@ -10,15 +10,10 @@
 
 #include "io/error.h"
 #include "tests/preview_shapes.h"
+#include "tests/process_memory_check.h"
 
 namespace stream_recon {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMemoryIsOurs = false;
-#else
-constexpr bool kMemoryIsOurs = true;
-#endif
 
 /// Pixels that are clearly of the hue of one of red, green, blue.
 std::size_t count_hue(const Picture& picture, int hue) {

@@ -32,7 +32,7 @@ void convert(const ConverterCommand& line) {
     return;
   }
   const SampleCounts counts = write_points(*volume, options, output_options(line));
-  const std::string what = Sampling(*volume, options).description();
+  const std::string what = description(options);
   if (line.iso) {
     spdlog::info("{} points: {}, from {}", counts.points, what, from);
   } else {

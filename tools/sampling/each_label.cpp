@@ -5,7 +5,6 @@
 
 #include "io/error.h"
 #include "tools/sampling/object_scan.h"
-#include "tools/sampling/recent_slices.h"
 
 namespace stream_recon {
 namespace {
@@ -17,11 +16,11 @@ ObjectScanOptions scan_options(const SamplingOptions& options, const LabelExtent
 /// One label on its way.
 class LabelWalk {
  public:
-  LabelWalk(Grid& grid, const LabelExtent& extent, const ObjectScanOptions& options,
+  LabelWalk(RecentSlices& slices, const LabelExtent& extent, const ObjectScanOptions& options,
             const Placement& placement, std::unique_ptr<LabelSink> sink)
       : first_(extent.box.low[2]),
         sink_(std::move(sink)),
-        scan_(grid, VoxelSelection::of_labels({extent.label}), options,
+        scan_(slices, VoxelSelection::of_labels({extent.label}), options,
               [this, &placement](const GridPoint& p) { sink_->take(placement.position(p)); }) {}
 
   /// Takes part in the step at slice k - 1 of the grid, if its box reaches there.
@@ -41,12 +40,11 @@ class LabelWalk {
 };
 
 /// The longest run of labels from the front that fits into memory; at least one.
-std::size_t labels_that_fit(std::span<const LabelExtent> labels, const SamplingOptions& options,
-                            const GridSize& size) {
+std::size_t labels_that_fit(std::span<const LabelExtent> labels, const SamplingOptions& options) {
   std::size_t bytes = 0;
   std::size_t count = 0;
   for (const LabelExtent& extent : labels) {
-    bytes += ObjectScan::memory_bytes(scan_options(options, extent), size);
+    bytes += ObjectScan::memory_bytes(scan_options(options, extent));
     if (count > 0 && (bytes > kEachLabelMemory || count == kLabelsAtOnce)) break;
     ++count;
   }
@@ -77,7 +75,7 @@ std::size_t sample_each_label(Volume& volume, const SamplingOptions& options,
   if (labels.empty()) throw InputError("no label: every voxel is 0; check the file");
   std::span<const LabelExtent> left(labels);
   while (!left.empty()) {
-    const std::size_t count = labels_that_fit(left, options, sampling.grid().size());
+    const std::size_t count = labels_that_fit(left, options);
     walk(left.first(count), options, sampling, make_sink);
     left = left.subspan(count);
   }

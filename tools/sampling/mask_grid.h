@@ -2,7 +2,7 @@
 //
 // Guarantees: the outermost cells on every side are 0, so what lies at the volume's edge is closed
 // there. Cell (0, 0, 0) is cell box.low - (1, 1, 1) of the source.
-// Memory: one slice of the source, and the last `kept` slices at 1 byte a cell.
+// Memory: the last `kept` slices at 1 byte a cell.
 // Thread rule: one reader.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/sampling/grid.h"
+#include "tools/sampling/recent_slices.h"
 #include "tools/sampling/voxel_selection.h"
 
 namespace stream_recon {
@@ -18,7 +19,7 @@ class MaskGrid : public Grid {
  public:
   /// \param box the part of `source` that may hold the object
   /// \param kept slices that can be asked for again, >= 1
-  MaskGrid(Grid& source, VoxelSelection selection, const GridBox& box, std::size_t kept);
+  MaskGrid(RecentSlices& source, VoxelSelection selection, const GridBox& box, std::size_t kept);
 
   const GridSize& size() const override { return size_; }
   void read_slice(std::size_t k, std::span<double> out) override;
@@ -32,11 +33,10 @@ class MaskGrid : public Grid {
  private:
   void take_slice(std::size_t k, std::span<std::uint8_t> out);
 
-  Grid& source_;
+  RecentSlices& source_;
   VoxelSelection selection_;
   GridBox box_;
   GridSize size_{};
-  std::vector<double> voxels_;
   std::vector<std::vector<std::uint8_t>> kept_;  ///< slice k at k modulo their number
   std::vector<std::size_t> kept_k_;
   std::uint64_t cells_inside_ = 0;

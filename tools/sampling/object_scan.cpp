@@ -27,9 +27,9 @@ std::size_t slices_around(const ObjectScanOptions& options) {
   return 1 + (is_smoothed(options) ? blur_radius(options.smoothing.sigma) : 0);
 }
 
-ObjectScan::ObjectScan(Grid& grid, const VoxelSelection& selection,
+ObjectScan::ObjectScan(RecentSlices& slices, const VoxelSelection& selection,
                        const ObjectScanOptions& options, const GridPointConsumer& consume)
-    : mask_(grid, selection, options.box, slices_around(options) + 2) {
+    : mask_(slices, selection, options.box, slices_around(options) + 2) {
   if (options.kind == PointKind::kBoundaryVoxels) {
     scan_ = std::make_unique<BoundaryVoxelScan>(mask_, in_grid(options.box, consume));
     return;
@@ -48,14 +48,14 @@ SampleCounts ObjectScan::counts() const {
   return counts;
 }
 
-std::size_t ObjectScan::memory_bytes(const ObjectScanOptions& options, const GridSize& size) {
+std::size_t ObjectScan::memory_bytes(const ObjectScanOptions& options) {
   const std::size_t cells = (options.box.extent(0) + 2) * (options.box.extent(1) + 2);
   std::size_t bytes_a_cell = slices_around(options) + 2;  // of the mask
   if (options.kind == PointKind::kSmoothedBoundary) bytes_a_cell += 3 * sizeof(double);
   if (is_smoothed(options)) {
     bytes_a_cell += (2 * blur_radius(options.smoothing.sigma) + 3) * sizeof(float) + sizeof(double);
   }
-  return cells * bytes_a_cell + size[0] * size[1] * sizeof(double);
+  return cells * bytes_a_cell;
 }
 
 }  // namespace stream_recon

@@ -23,8 +23,8 @@ std::size_t slices_around(const ObjectScanOptions& options);
 
 class ObjectScan {
  public:
-  ObjectScan(Grid& grid, const VoxelSelection& selection, const ObjectScanOptions& options,
-             const GridPointConsumer& consume);
+  ObjectScan(RecentSlices& slices, const VoxelSelection& selection,
+             const ObjectScanOptions& options, const GridPointConsumer& consume);
 
   /// Visits the next slice of the box, which has one more on either side; false at the end.
   bool step() { return scan_->step(); }
@@ -32,7 +32,7 @@ class ObjectScan {
   SampleCounts counts() const;
 
   /// Estimate for a box, before one is built.
-  static std::size_t memory_bytes(const ObjectScanOptions& options, const GridSize& size);
+  static std::size_t memory_bytes(const ObjectScanOptions& options);
 
  private:
   MaskGrid mask_;

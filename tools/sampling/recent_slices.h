@@ -4,18 +4,22 @@
 // Memory: `kept` slices of doubles. Thread rule: one reader at a time.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tools/sampling/grid.h"
 
 namespace stream_recon {
 
-class RecentSlices : public Grid {
+class RecentSlices {
  public:
   RecentSlices(Grid& source, std::size_t kept);
 
-  const GridSize& size() const override { return source_.size(); }
-  void read_slice(std::size_t k, std::span<double> out) override;
+  const GridSize& size() const { return source_.size(); }
+
+  /// Slice k, i fastest; the view holds until `kept` other slices were asked for.
+  /// \throw what the grid throws
+  std::span<const double> slice(std::size_t k);
 
  private:
   struct Slice {

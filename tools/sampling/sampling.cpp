@@ -40,6 +40,18 @@ std::string value_range(Grid& grid) {
 
 }  // namespace
 
+std::string description(const SamplingOptions& options) {
+  switch (options.kind) {
+    case PointKind::kCrossings:
+      return fmt::format("iso {}", options.iso);
+    case PointKind::kSmoothedBoundary:
+      return "boundary of " + options.selection.value().description();
+    case PointKind::kBoundaryVoxels:
+      break;
+  }
+  return "boundary voxels of " + options.selection.value().description();
+}
+
 Sampling::Sampling(Volume& volume, const SamplingOptions& options)
     : options_(options),
       placement_(volume.geometry(),
@@ -55,20 +67,8 @@ Grid& Sampling::grid() {
   return region_;
 }
 
-std::string Sampling::description() const {
-  switch (options_.kind) {
-    case PointKind::kCrossings:
-      return fmt::format("iso {}", options_.iso);
-    case PointKind::kSmoothedBoundary:
-      return "boundary of " + options_.selection.value().description();
-    case PointKind::kBoundaryVoxels:
-      break;
-  }
-  return "boundary voxels of " + options_.selection.value().description();
-}
-
 PointMetadata Sampling::metadata(const std::string& source) const {
-  return {placement_.spacing(), source, description()};
+  return {placement_.spacing(), source, description(options_)};
 }
 
 SampleCounts Sampling::run(const PointConsumer& consume) {
@@ -90,7 +90,8 @@ SampleCounts Sampling::run(const PointConsumer& consume) {
 }
 
 SampleCounts Sampling::run_mask(const PointConsumer& consume) {
-  ObjectScan scan(grid(), options_.selection.value(),
+  RecentSlices slices(grid(), 1);
+  ObjectScan scan(slices, options_.selection.value(),
                   {options_.kind, options_.smoothing, whole_box(grid())},
                   [&](const GridPoint& p) { consume(placement_.position(p)); });
   while (scan.step()) {
@@ -110,7 +111,7 @@ void Sampling::refuse_empty(const SampleCounts& counts) {
                                  label_list(find_labels(grid()))));
   }
   throw InputError(fmt::format("no point: nothing is the {} here; the voxels hold {}",
-                               description(), value_range(grid())));
+                               description(options_), value_range(grid())));
 }
 
 }  // namespace stream_recon

@@ -50,6 +50,9 @@ struct SampleCounts {
   std::uint64_t voxels_gained = 0;  ///< other ones inside of it
 };
 
+/// What the points are, for people: "iso 100", "boundary voxels of label 13".
+std::string description(const SamplingOptions& options);
+
 using PointConsumer = std::function<void(const Point3&)>;
 
 /// One walk after another over the same part of the same volume.
@@ -60,9 +63,6 @@ class Sampling {
 
   /// What is known of the points.
   PointMetadata metadata(const std::string& source) const;
-  /// What they are, for people: "iso 100", "boundary voxels of label 13".
-  std::string description() const;
-
   /// Hands out every point; may be called again, and then does the same.
   /// \throw InputError there is none; or what the volume throws
   SampleCounts run(const PointConsumer& consume);
