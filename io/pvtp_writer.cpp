@@ -12,23 +12,27 @@
 namespace stream_recon {
 namespace {
 
-constexpr const char* kCellData =
-    "<PCellData Scalars=\"Delta\">\n"
-    "<PDataArray type=\"Float32\" Name=\"Delta\"/>\n"
-    "<PDataArray type=\"UInt8\" Name=\"Source\"/>\n"
-    "</PCellData>\n";
+std::string cell_data(bool has_closure) {
+  std::string text =
+      "<PCellData Scalars=\"Delta\">\n"
+      "<PDataArray type=\"Float32\" Name=\"Delta\"/>\n"
+      "<PDataArray type=\"UInt8\" Name=\"Source\"/>\n";
+  if (has_closure) text += "<PDataArray type=\"Float32\" Name=\"Closure\"/>\n";
+  return text + "</PCellData>\n";
+}
 
 class PvtpWriter final : public SurfaceWriter {
  public:
   explicit PvtpWriter(const SurfaceWriterOptions& options)
       : scalar_(options.coordinates),
+        has_closure_(options.has_closure),
         output_({.index = options.path, .index_ending = ".pvtp", .chunk_ending = ".vtp"}) {}
 
   bool takes_chunks_in_order() const override { return false; }
 
   void write(std::uint64_t number, const SurfaceChunk& chunk) override {
     File file = output_.create_chunk(number);
-    VtpWriter(scalar_).write(chunk, file);
+    VtpWriter(scalar_, has_closure_).write(chunk, file);
     bytes_written_ += file.position();
     file.close();
   }
@@ -39,7 +43,7 @@ class PvtpWriter final : public SurfaceWriter {
   void complete() override {
     if (bytes_written_ == 0) write(0, {});  // readers expect a piece, even an empty one
     const std::string text = index_text({.type = "PolyData",
-                                         .cell_data = kCellData,
+                                         .cell_data = cell_data(has_closure_),
                                          .scalar = scalar_,
                                          .pieces = output_.chunk_paths()});
     output_.prepare(text);
@@ -52,6 +56,7 @@ class PvtpWriter final : public SurfaceWriter {
   }
 
   Scalar scalar_;
+  bool has_closure_;
   ChunkedOutput output_;
   std::atomic<std::uint64_t> bytes_written_ = 0;
 };

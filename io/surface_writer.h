@@ -19,7 +19,11 @@ namespace stream_recon {
 class ScratchDirectory;
 
 /// Why a triangle is there: the values of cell data `Source`.
-enum class TriangleSource : std::uint8_t { kGamma = 0, kAlpha = 1 };
+enum class TriangleSource : std::uint8_t {
+  kGamma = 0,
+  kAlpha = 1,
+  kFill = 2,  ///< of the solid, beyond the gamma shape
+};
 
 /// A part of the surface. Arrays of points have one length, arrays of triangles another; every
 /// point is a corner of a triangle of the chunk.
@@ -34,6 +38,8 @@ struct SurfaceChunk {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< positions in `points`
   std::vector<float> delta;                             ///< angle of the facet's balls, degrees
   std::vector<TriangleSource> source;
+  /// Circumradius of each triangle over the local spacing; empty where it is not known.
+  std::vector<float> closure;
 };
 
 struct SurfaceWriterOptions {
@@ -44,6 +50,8 @@ struct SurfaceWriterOptions {
   /// Where single-file formats keep their parts until the counts are known; must outlive the
   /// writer. Not needed for .pvtp.
   ScratchDirectory* scratch = nullptr;
+  /// Whether the chunks know their closure: it is written where cells have data.
+  bool has_closure = false;
 };
 
 class SurfaceWriter {

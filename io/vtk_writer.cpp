@@ -13,12 +13,15 @@
 namespace stream_recon {
 namespace {
 
-enum Part : std::size_t { kPoints, kPolygons, kDelta, kSource, kPointIds, kPartCount };
+enum Part : std::size_t { kPoints, kPolygons, kDelta, kSource, kClosure, kPointIds, kPartCount };
 
 class VtkWriter final : public SurfaceWriter {
  public:
   explicit VtkWriter(const SurfaceWriterOptions& options)
-      : scalar_(options.coordinates), parts_(*options.scratch, kPartCount), target_(options.path) {}
+      : scalar_(options.coordinates),
+        has_closure_(options.has_closure),
+        parts_(*options.scratch, kPartCount),
+        target_(options.path) {}
 
   bool takes_chunks_in_order() const override { return true; }
   void write(std::uint64_t number, const SurfaceChunk& chunk) override;
@@ -29,9 +32,11 @@ class VtkWriter final : public SurfaceWriter {
   void publish() override { target_.commit(); }
   void write_points(const SurfaceChunk& chunk);
   void write_triangles(const SurfaceChunk& chunk);
+  void write_floats(Part part, const std::vector<float>& values);
   void put_text(const std::string& text);
 
   Scalar scalar_;
+  bool has_closure_;
   SurfacePoints points_;
   SpooledParts parts_;
   OutputTarget target_;
@@ -63,11 +68,16 @@ void VtkWriter::write_triangles(const SurfaceChunk& chunk) {
       polygons.put(static_cast<std::int32_t>(chunk.vertex_numbers[corner]));
     }
   }
-  ByteSink delta(std::endian::big, chunk.delta.size() * sizeof(float));
-  for (const float angle : chunk.delta) delta.put(angle);
   parts_.append(kPolygons, polygons.bytes());
-  parts_.append(kDelta, delta.bytes());
+  write_floats(kDelta, chunk.delta);
   parts_.append(kSource, std::as_bytes(std::span(chunk.source)));
+  if (has_closure_) write_floats(kClosure, chunk.closure);
+}
+
+void VtkWriter::write_floats(Part part, const std::vector<float>& values) {
+  ByteSink bytes(std::endian::big, values.size() * sizeof(float));
+  for (const float value : values) bytes.put(value);
+  parts_.append(part, bytes.bytes());
 }
 
 void VtkWriter::put_text(const std::string& text) {
@@ -85,10 +95,15 @@ void VtkWriter::complete() {
   put_text("\nPOLYGONS " + triangles + " " + numbers + "\n");
   parts_.move_to(kPolygons, file);
   // Fields, because readers take one set of SCALARS and pass over the others.
-  put_text("\nCELL_DATA " + triangles + "\nFIELD FieldData 2\nDelta 1 " + triangles + " float\n");
+  put_text("\nCELL_DATA " + triangles + "\nFIELD FieldData " + (has_closure_ ? "3" : "2") +
+           "\nDelta 1 " + triangles + " float\n");
   parts_.move_to(kDelta, file);
   put_text("\nSource 1 " + triangles + " unsigned_char\n");
   parts_.move_to(kSource, file);
+  if (has_closure_) {
+    put_text("\nClosure 1 " + triangles + " float\n");
+    parts_.move_to(kClosure, file);
+  }
   put_text("\nPOINT_DATA " + vertices + "\nGLOBAL_IDS GlobalPointId vtktypeint64\n");
   parts_.move_to(kPointIds, file);
   put_text("\n");

@@ -19,6 +19,7 @@ struct Piece {
   std::vector<std::uint64_t> offsets;
   std::vector<float> delta;
   std::vector<std::uint8_t> source;
+  std::vector<float> closure;
   std::vector<std::uint64_t> global_ids;
 };
 
@@ -29,7 +30,7 @@ bool is_wanted(const VtpArray& array) {
     case VtpSection::kPointData:
       return array.name == "GlobalPointId";
     case VtpSection::kCellData:
-      return array.name == "Delta" || array.name == "Source";
+      return array.name == "Delta" || array.name == "Source" || array.name == "Closure";
     case VtpSection::kPolys:
       return array.name == "connectivity" || array.name == "offsets";
     case VtpSection::kOther:
@@ -73,6 +74,8 @@ class MeshReader {
       read_integers(array, piece.global_ids);
     } else if (array.name == "Delta") {
       read_values<float>(array, {ScalarType::kFloat32, ScalarType::kFloat32}, piece.delta);
+    } else if (array.name == "Closure") {
+      read_values<float>(array, {ScalarType::kFloat32, ScalarType::kFloat32}, piece.closure);
     } else {
       read_values<std::uint8_t>(array, {ScalarType::kUint8, ScalarType::kInt8}, piece.source);
     }
@@ -154,9 +157,11 @@ class MeshReader {
     }
     append(piece.delta, counts.cells_before_polys, mesh.delta);
     append(piece.source, counts.cells_before_polys, mesh.source);
+    append(piece.closure, counts.cells_before_polys, mesh.closure);
     append(piece.global_ids, 0, mesh.global_ids);
     check_whole(mesh.delta.size(), mesh.triangles.size());
     check_whole(mesh.source.size(), mesh.triangles.size());
+    check_whole(mesh.closure.size(), mesh.triangles.size());
     check_whole(mesh.global_ids.size(), mesh.points.size());
   }
 

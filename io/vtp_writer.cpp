@@ -15,10 +15,14 @@ std::string piece_tag(const SurfaceChunk& chunk) {
          std::to_string(chunk.triangles.size()) + "\">\n";
 }
 
-void add_cells(VtkXmlDocument& document, const SurfaceChunk& chunk) {
+void add_cells(VtkXmlDocument& document, const SurfaceChunk& chunk, bool has_closure) {
   document.add("<CellData Scalars=\"Delta\">\n");
   document.add_array("type=\"Float32\" Name=\"Delta\"", std::as_bytes(std::span(chunk.delta)));
   document.add_array("type=\"UInt8\" Name=\"Source\"", std::as_bytes(std::span(chunk.source)));
+  if (has_closure) {
+    document.add_array("type=\"Float32\" Name=\"Closure\"",
+                       std::as_bytes(std::span(chunk.closure)));
+  }
   document.add("</CellData>\n<Polys>\n");
   document.add_array("type=\"Int32\" Name=\"connectivity\"",
                      std::as_bytes(std::span(chunk.triangles)));
@@ -32,7 +36,7 @@ void VtpWriter::write(const SurfaceChunk& chunk, File& file) {
   VtkXmlDocument document("PolyData");
   document.add(piece_tag(chunk));
   add_points(document, {chunk.points, chunk.global_ids, scalar_});
-  add_cells(document, chunk);
+  add_cells(document, chunk, has_closure_);
   document.add("</Piece>\n");
   document.write(blocks_, file);
 }

@@ -12,13 +12,16 @@ namespace stream_recon {
 
 class VtpWriter {
  public:
-  explicit VtpWriter(Scalar coordinates) : scalar_(coordinates) {}
+  /// \param has_closure whether the chunk has one to be written
+  VtpWriter(Scalar coordinates, bool has_closure)
+      : scalar_(coordinates), has_closure_(has_closure) {}
 
   /// Writes the chunk to `file`, new and empty. \throw IoError
   void write(const SurfaceChunk& chunk, File& file);
 
  private:
   Scalar scalar_;
+  bool has_closure_;
   VtkXmlBlocks blocks_;
 };
 

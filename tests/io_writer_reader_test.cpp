@@ -20,7 +20,7 @@ namespace {
 class ReadBack : public testing::TestWithParam<Scalar> {
  protected:
   std::string write(const std::string& name) {
-    write_surface(surface_, {folder_ / name, GetParam(), &scratch_});
+    write_surface(surface_, {folder_ / name, GetParam(), &scratch_, true});
     return folder_ / name;
   }
 
@@ -39,6 +39,7 @@ TEST_P(ReadBack, ChunksAreTheChunksThatWereWritten) {
     EXPECT_TRUE(mesh.points == chunk.points);
     EXPECT_TRUE(mesh.triangles == chunk.triangles);
     EXPECT_TRUE(mesh.delta == chunk.delta);
+    EXPECT_TRUE(mesh.closure == chunk.closure);
     EXPECT_TRUE(mesh.global_ids == chunk.global_ids);
     ASSERT_EQ(mesh.source.size(), chunk.source.size());
     for (std::size_t t = 0; t < mesh.source.size(); ++t) {

@@ -45,6 +45,7 @@ inline std::vector<SurfaceChunk> make_surface(std::size_t chunks, std::size_t tr
         chunk.vertex_numbers.push_back(numbers.try_emplace(point, numbers.size()).first->second);
       }
       chunk.delta.push_back(static_cast<float>(random() % 9000) / 100);
+      chunk.closure.push_back(static_cast<float>(random() % 900) / 100);
       chunk.source.push_back(random() % 2 == 0 ? TriangleSource::kGamma : TriangleSource::kAlpha);
     }
   }

@@ -1,7 +1,7 @@
 """Opens a surface with VTK's own reader and writes its arrays as raw bytes.
 
 Usage: io_writer_vtk_dump.py SURFACE OUTPUT_FOLDER
-One file per array: points, triangles, point_ids, delta, source. Exits with 77 where VTK is missing.
+One file per array: points, triangles, point_ids, delta, source, closure. Exits with 77 where VTK is missing.
 """
 import array
 import pathlib
@@ -52,6 +52,7 @@ def main():
         "point_ids" : mesh.GetPointData().GetGlobalIds(),
         "delta" : mesh.GetCellData().GetArray("Delta"),
         "source" : mesh.GetCellData().GetArray("Source"),
+        "closure" : mesh.GetCellData().GetArray("Closure"),
     }
     for name, values in arrays.items():
         some = values is not None and values.GetNumberOfValues() > 0

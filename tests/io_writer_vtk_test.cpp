@@ -22,6 +22,7 @@ struct Arrays {
   std::string point_ids;
   std::string delta;
   std::string source;
+  std::string closure;
 };
 
 template <class Number>
@@ -59,6 +60,7 @@ Arrays expected_arrays(const std::vector<SurfaceChunk>& surface, Scalar scalar, 
       }
     }
     for (const float angle : chunk.delta) put(arrays.delta, angle);
+    for (const float closure : chunk.closure) put(arrays.closure, closure);
     for (const TriangleSource source : chunk.source) put(arrays.source, source);
   }
   return arrays;
@@ -69,6 +71,7 @@ struct Case {
   Scalar scalar;
   std::size_t chunks;
   std::size_t triangles;
+  bool has_closure = true;
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -83,7 +86,7 @@ TEST_P(VtkReads, TheSameBitsThatWereWritten) {
   const TestFolder folder;
   ScratchDirectory scratch({folder.path()});
   const auto surface = make_surface(c.chunks, c.triangles, c.scalar, 1);
-  write_surface(surface, {folder / c.name, c.scalar, &scratch});
+  write_surface(surface, {folder / c.name, c.scalar, &scratch, c.has_closure});
 
   const std::string log = folder / "log";
   const std::string command = std::string(STREAM_RECON_VTK_PYTHON " " STREAM_RECON_TESTS) +
@@ -104,18 +107,20 @@ TEST_P(VtkReads, TheSameBitsThatWereWritten) {
   EXPECT_TRUE(file_bytes(folder / "point_ids") == arrays.point_ids) << file_bytes(log);
   EXPECT_TRUE(file_bytes(folder / "delta") == arrays.delta) << file_bytes(log);
   EXPECT_TRUE(file_bytes(folder / "source") == arrays.source) << file_bytes(log);
+  EXPECT_TRUE(file_bytes(folder / "closure") == (c.has_closure ? arrays.closure : ""))
+      << file_bytes(log);
 }
 
 // 70,000 triangles make arrays of more than one compressed block.
 INSTANTIATE_TEST_SUITE_P(Surfaces, VtkReads,
                          testing::Values(Case{"a.pvtp", Scalar::kFloat64, 3, 1000},
-                                         Case{"a.pvtp", Scalar::kFloat32, 3, 1000},
+                                         Case{"a.pvtp", Scalar::kFloat32, 3, 1000, false},
                                          Case{"a.pvtp", Scalar::kFloat64, 2, 70000},
                                          Case{"a <b> & c.pvtp", Scalar::kFloat64, 2, 10},
                                          Case{"a.pvtp", Scalar::kFloat64, 0, 0},
                                          Case{"a.pvtp", Scalar::kFloat64, 1, 0},
                                          Case{"a.vtk", Scalar::kFloat64, 3, 1000},
-                                         Case{"a.vtk", Scalar::kFloat32, 3, 1000},
+                                         Case{"a.vtk", Scalar::kFloat32, 3, 1000, false},
                                          Case{"a.vtk", Scalar::kFloat64, 0, 0},
                                          Case{"a.ply", Scalar::kFloat32, 3, 1000},
                                          Case{"a.ply", Scalar::kFloat32, 0, 0}));

@@ -21,7 +21,7 @@ struct Ball {
   int rings = 24;
 };
 
-/// Triangles of a ball; Delta grows from 0 at its top to 90 at its bottom.
+/// Triangles of a ball; Delta grows from 0 at its top to 90 at its bottom, Closure from 0 to 6.
 inline SurfaceChunk ball_chunk(const Ball& ball) {
   SurfaceChunk chunk;
   const int columns = 2 * ball.rings;
@@ -44,6 +44,7 @@ inline SurfaceChunk ball_chunk(const Ball& ball) {
       chunk.triangles.push_back({at(j, i), at(j + 1, i), at(j, i + 1)});
       chunk.triangles.push_back({at(j, i + 1), at(j + 1, i), at(j + 1, i + 1)});
       chunk.delta.insert(chunk.delta.end(), 2, static_cast<float>(90.0 * (j + 0.5) / ball.rings));
+      chunk.closure.insert(chunk.closure.end(), 2, chunk.delta.back() / 15);
     }
   }
   chunk.source.resize(chunk.triangles.size(),
@@ -59,8 +60,9 @@ class ShapeFolder {
   /// A mesh with a chunk for each ball; the points of one follow those of the other.
   std::string write(const std::string& name, std::vector<Ball> balls) const {
     const ScratchDirectory scratch({.parent = folder_.path()});
-    const auto writer = make_surface_writer(
-        {.path = path(name), .scratch = const_cast<ScratchDirectory*>(&scratch)});
+    const auto writer = make_surface_writer({.path = path(name),
+                                             .scratch = const_cast<ScratchDirectory*>(&scratch),
+                                             .has_closure = true});
     std::uint64_t ids = 0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
       balls[i].first_id = ids;

@@ -46,6 +46,7 @@ TEST(Color, BytesComeBack) {
 TEST(Coloring, IsReadAsWritten) {
   EXPECT_EQ(parse_coloring("Delta").by, ColorBy::kDelta);
   EXPECT_EQ(parse_coloring("Source").by, ColorBy::kSource);
+  EXPECT_EQ(parse_coloring("Closure").by, ColorBy::kClosure);
   EXPECT_EQ(parse_coloring("component").by, ColorBy::kComponent);
   EXPECT_EQ(parse_coloring("none").by, ColorBy::kNone);
   EXPECT_EQ(parse_coloring("1,20,255").fixed, (Rgb{1, 20, 255}));

@@ -121,10 +121,22 @@ TEST_F(PreviewScene, DeltaGoesFromDarkBlueToBrightYellow) {
   EXPECT_LT(high[kBlue], high[1] * 2 / 3);
 }
 
+TEST_F(PreviewScene, ClosureHasTheColoursOfAScaleToo) {
+  for (const char* name : {"ball.pvtp", "ball.vtk"}) {
+    const std::string path = shapes_.write(name, {Ball{}});
+    const Picture closure = draw_preview({colored(path, "Closure")}, small_picture());
+    const Picture delta = draw_preview({colored(path, "Delta")}, small_picture());
+    for (const auto& [x, y] : {std::pair(48, 12), std::pair(30, 48), std::pair(48, 84)}) {
+      EXPECT_EQ(closure.at(x, y), delta.at(x, y)) << name;
+    }
+  }
+}
+
 TEST_F(PreviewScene, WhatIsNotThereCannotGiveColours) {
   const std::string mesh = shapes_.write("ball.ply", {Ball{}});
   const std::string cloud = shapes_.write_cloud("ball.xyz", {Ball{}});
   EXPECT_THROW(draw_preview({colored(mesh, "Delta")}, small_picture()), std::invalid_argument);
+  EXPECT_THROW(draw_preview({colored(mesh, "Closure")}, small_picture()), std::invalid_argument);
   EXPECT_THROW(draw_preview({colored(mesh, "Source")}, small_picture()), std::invalid_argument);
   EXPECT_NO_THROW(draw_preview({colored(mesh, "component")}, small_picture()));
   EXPECT_THROW(draw_preview({colored(cloud, "component")}, small_picture()), std::invalid_argument);

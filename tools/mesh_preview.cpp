@@ -38,10 +38,10 @@ void add_options(CLI::App& app, CommandLine& line) {
       "towards the body's left, then up");
   view->capture_default_str();
   app.add_option("--views", line.views, "Several, side by side: front,left,top")->excludes(view);
-  app.add_option(
-         "--color", line.colors,
-         "What colours say: Delta, Source, component (of the surface), none, or R,G,B; once "
-         "for all inputs or once for each (default: a colour for each input)")
+  app.add_option("--color", line.colors,
+                 "What colours say: Delta, Source, Closure, component (of the surface), none, or "
+                 "R,G,B; once "
+                 "for all inputs or once for each (default: a colour for each input)")
       ->option_text("COLOR")
       ->expected(1)
       ->take_all();

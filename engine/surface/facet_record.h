@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "engine/surface/closure_code.h"
 #include "engine/windows/final_window.h"
 #include "io/surface_writer.h"
 
@@ -19,9 +20,10 @@ struct FacetRecord {
   std::array<PointRank, 3> ranks{};  ///< ascending
   float delta = 0;                   ///< angle of the two balls, degrees
   TriangleSource source{};
-  /// kOutward: counterclockwise when seen from outside the convex hull, of which it is a facet.
+  /// kOutward: counterclockwise when seen from outside: outside the solid, or, where there is none,
+  /// outside the convex hull, of which it is a facet.
   Facing facing = Facing::kUnknown;
-  std::array<std::uint8_t, 2> unused{};
+  std::uint16_t closure = kUnknownClosure;  ///< closure_code.h
 
   friend bool operator<(const FacetRecord& a, const FacetRecord& b) { return a.ranks < b.ranks; }
 };

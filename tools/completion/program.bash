@@ -74,7 +74,7 @@ _stream_recon_value() {
   case $value in
     SIZE) words=(64M 128M 256M 512M 1G 2G 4G 8G 16G) ;;
     N | R | S | V | X,Y,Z | I:* | BYTES | DEG | ID | PIXELS | INT* | UINT* | FLOAT*) return ;;
-    COLOR) words=(Delta Source component none) ;;
+    COLOR) words=(Delta Source Closure component none) ;;
     DIR)
       compopt -o filenames 2>/dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$current")

@@ -24,9 +24,10 @@ Rgb parse_rgb(const std::string& text) {
     color[i] = static_cast<std::uint8_t>(value);
   }
   if (!stream || !(stream >> std::ws).eof()) {
-    throw std::invalid_argument("the colour '" + text +
-                                "' is none of Delta, Source, component, none, and no R,G,B of "
-                                "numbers from 0 to 255");
+    throw std::invalid_argument(
+        "the colour '" + text +
+        "' is none of Delta, Source, Closure, component, none, and no R,G,B "
+        "of numbers from 0 to 255");
   }
   return color;
 }
@@ -36,6 +37,7 @@ Rgb parse_rgb(const std::string& text) {
 Coloring parse_coloring(const std::string& text) {
   static const std::map<std::string, ColorBy> names{{"Delta", ColorBy::kDelta},
                                                     {"Source", ColorBy::kSource},
+                                                    {"Closure", ColorBy::kClosure},
                                                     {"component", ColorBy::kComponent},
                                                     {"none", ColorBy::kNone}};
   const auto named = names.find(text);

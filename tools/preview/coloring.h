@@ -18,6 +18,7 @@ enum class ColorBy {
   kFixed,      ///< the colour given
   kDelta,      ///< cell data Delta, degrees
   kSource,     ///< cell data Source
+  kClosure,    ///< cell data Closure, spacings
   kComponent,  ///< what hangs together, the largest first
 };
 
@@ -26,7 +27,8 @@ struct Coloring {
   Rgb fixed{};  ///< for kFixed
 };
 
-/// Delta, Source, component, none, or "R,G,B" (0 to 255 each). \throw std::invalid_argument
+/// Delta, Source, Closure, component, none, or "R,G,B" (0 to 255 each). \throw
+/// std::invalid_argument
 Coloring parse_coloring(const std::string& text);
 
 using Paint = std::uint16_t;

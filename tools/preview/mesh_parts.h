@@ -1,8 +1,8 @@
 // A mesh or a cloud on disk, part by part, as often as one likes.
 //
 // Guarantees: each triangle comes once, in the order of the file, with its corners among the
-// points of its part; global_ids number the points of the whole where the file tells (Delta and
-// Source likewise). A part without triangles is points to be seen by themselves.
+// points of its part; global_ids number the points of the whole where the file tells (Delta,
+// Source and Closure likewise). A part without triangles is points to be seen by themselves.
 // Memory: a chunk of a .pvtp, the whole of a .vtp, else 16 MB. Thread rule: one thread.
 #pragma once
 

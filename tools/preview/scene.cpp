@@ -11,6 +11,8 @@ namespace stream_recon {
 namespace {
 
 constexpr std::size_t kMostEntries = 8;
+/// Where the scale of closures ends: above 4 a fill is doubtful.
+constexpr double kMostClosure = 6;
 constexpr std::uint64_t kMostPoints = (std::uint64_t{1} << 31) - 1;
 
 std::string with_commas(std::uint64_t number) {
@@ -34,6 +36,8 @@ void check_data(const PreviewInput& input, const VtpMesh& part) {
       return require(has_triangles && !part.delta.empty(), input.path, "it has no Delta");
     case ColorBy::kSource:
       return require(has_triangles && !part.source.empty(), input.path, "it has no Source");
+    case ColorBy::kClosure:
+      return require(has_triangles && !part.closure.empty(), input.path, "it has no Closure");
     case ColorBy::kComponent:
       require(has_triangles, input.path, "points alone have no components");
       return require(!part.global_ids.empty(), input.path,
@@ -44,7 +48,7 @@ void check_data(const PreviewInput& input, const VtpMesh& part) {
 }
 
 const char* source_name(std::uint8_t source) {
-  constexpr const char* kNames[] = {"gamma", "alpha"};
+  constexpr const char* kNames[] = {"gamma", "alpha", "fill"};
   return source < std::size(kNames) ? kNames[source] : "other";
 }
 
@@ -129,6 +133,8 @@ Paint Scene::paint(std::size_t piece, const VtpMesh& part, std::size_t triangle)
       return scale_paint(static_cast<double>(part.delta[triangle]) / scale_end());
     case ColorBy::kSource:
       return distinct_paint(std::uint64_t{1} + part.source[triangle]);
+    case ColorBy::kClosure:
+      return scale_paint(static_cast<double>(part.closure[triangle]) / kMostClosure);
     case ColorBy::kComponent:
       return distinct_paint(
           pieces_[piece].components->rank_of(part.global_ids[part.triangles[triangle][0]]));
@@ -149,10 +155,12 @@ std::vector<LegendBlock> Scene::legend() const {
   LegendBlock files{.title = "Files", .entries = {}};
   std::set<std::uint8_t> sources;
   bool has_scale = false;
+  bool has_closure = false;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
     const ColorBy by = piece.input.coloring.by;
     has_scale |= by == ColorBy::kDelta;
+    has_closure |= by == ColorBy::kClosure;
     if (by == ColorBy::kSource) sources.insert(piece.sources.begin(), piece.sources.end());
     if (by == ColorBy::kPiece || by == ColorBy::kFixed) {
       files.entries.push_back({colors[point_paint(i)], file_name(piece.input.path)});
@@ -168,6 +176,9 @@ std::vector<LegendBlock> Scene::legend() const {
   }
   if (has_scale)
     blocks.push_back({.title = "Delta, degrees", .entries = {}, .scale_end = scale_end()});
+  if (has_closure) {
+    blocks.push_back({.title = "Closure, spacings", .entries = {}, .scale_end = kMostClosure});
+  }
   if (!sources.empty()) {
     LegendBlock& block = blocks.emplace_back();
     block.title = "Source";

@@ -22,8 +22,9 @@ struct VtkLayout {
   PointLayout points;
   std::uint64_t polygons = 0;
   std::uint64_t polygons_offset = 0;
-  std::optional<std::uint64_t> delta_offset;   ///< float32 a polygon
-  std::optional<std::uint64_t> source_offset;  ///< a byte a polygon
+  std::optional<std::uint64_t> delta_offset;    ///< float32 a polygon
+  std::optional<std::uint64_t> source_offset;   ///< a byte a polygon
+  std::optional<std::uint64_t> closure_offset;  ///< float32 a polygon
 };
 
 class LayoutReader {
@@ -77,6 +78,7 @@ class LayoutReader {
       if (!is_single || (!is_float && type != "unsigned_char")) return;
       const std::uint64_t at = source_.offset();
       if (name == "Delta" && is_float) layout.delta_offset = at;
+      if (name == "Closure" && is_float) layout.closure_offset = at;
       if (name == "Source" && !is_float) layout.source_offset = at;
       source_.skip(layout.polygons * (is_float ? sizeof(float) : 1));
     }
@@ -140,18 +142,25 @@ class VtkFaces final : public MeshParts {
 
   void add_data(std::uint64_t first, VtpMesh& mesh) const {
     const std::size_t count = mesh.triangles.size();
-    if (layout_.delta_offset) {
-      std::vector<std::byte> bytes(count * sizeof(float));
-      file_.read_at(*layout_.delta_offset + first * sizeof(float), bytes);
-      for (std::size_t i = 0; i < bytes.size(); i += sizeof(float)) {
-        mesh.delta.push_back(
-            load_scalar<float>(reinterpret_cast<const char*>(bytes.data()) + i, std::endian::big));
-      }
-    }
+    if (layout_.delta_offset) mesh.delta = floats(*layout_.delta_offset, first, count);
+    if (layout_.closure_offset) mesh.closure = floats(*layout_.closure_offset, first, count);
     if (layout_.source_offset) {
       mesh.source.resize(count);
       file_.read_at(*layout_.source_offset + first, std::as_writable_bytes(std::span(mesh.source)));
     }
+  }
+
+  /// Those of `count` polygons, of an array that begins at byte `offset`.
+  std::vector<float> floats(std::uint64_t offset, std::uint64_t first, std::size_t count) const {
+    std::vector<std::byte> bytes(count * sizeof(float));
+    file_.read_at(offset + first * sizeof(float), bytes);
+    std::vector<float> values;
+    values.reserve(count);
+    for (std::size_t i = 0; i < bytes.size(); i += sizeof(float)) {
+      values.push_back(
+          load_scalar<float>(reinterpret_cast<const char*>(bytes.data()) + i, std::endian::big));
+    }
+    return values;
   }
 
   std::string path_;
