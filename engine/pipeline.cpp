@@ -1,6 +1,7 @@
 #include "engine/pipeline.h"
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "engine/alpha/alpha_filter.h"
@@ -16,6 +17,7 @@
 #include "engine/windows/cloud_index.h"
 #include "engine/windows/export_reader.h"
 #include "engine/windows/window_stage.h"
+#include "io/points_writer.h"
 #include "io/surface_writer.h"
 #include "io/tetrahedra_writer.h"
 
@@ -44,17 +46,25 @@ class Pipeline {
       : options_(options), context_(context), journal_(journal), report_(report) {}
 
   void run() {
+    if (options_.surface == SurfaceKind::kSolid) {
+      throw std::invalid_argument("solid is not available yet");
+    }
     const CloudSummary cloud = journal_.once(&Manifest::cloud, [&] { return read_input(); });
     tell_disk(cloud);
     const auto surface_writer = make_writer(cloud);
     const auto tetrahedra_writer = make_tetrahedra_writer(cloud);
+    const auto unused_writer = make_unused_writer(cloud);
     const OrderResult order = journal_.once(&Manifest::order, [&] { return sort(cloud); });
     context_.scratch.remove(kIngestSpool);
     const ChunkLayout layout{options_.chunk_points, order.point_count};
     run_windows(cloud, layout);
     const ExportReader exports(context_.scratch, context_.budget);
     if (surface_writer != nullptr) {
-      log_.run("surface", [&] { build_surface({exports, layout}, *surface_writer); });
+      log_.run("surface", [&] {
+        build_surface(
+            {exports, layout}, *surface_writer,
+            {.is_solid = is_solid(), .range = cloud.range, .unused = unused_writer.get()});
+      });
     }
     if (tetrahedra_writer != nullptr) {
       log_.run("tetrahedra", [&] {
@@ -62,9 +72,12 @@ class Pipeline {
       });
     }
     if (surface_writer != nullptr || tetrahedra_writer != nullptr) {
-      log_.run("write", [&] { finish(surface_writer.get(), tetrahedra_writer.get()); });
+      log_.run("write", [&] {
+        finish({surface_writer.get(), tetrahedra_writer.get(), unused_writer.get()});
+      });
     }
     report_input(cloud, order);
+    report_samples(order);
     report_.stages = log_.stages();
     report_.memory_over_time = trace_.stop();
     report_.seconds = log_.seconds();
@@ -95,13 +108,24 @@ class Pipeline {
   /// Made before the work, so that a name that cannot be written is found out early.
   std::unique_ptr<SurfaceWriter> make_writer(const CloudSummary& cloud) const {
     if (options_.surface == SurfaceKind::kNone) return nullptr;
-    return make_surface_writer({options_.output, scalar_of(cloud), &context_.scratch});
+    return make_surface_writer({.path = options_.output,
+                                .coordinates = scalar_of(cloud),
+                                .scratch = &context_.scratch,
+                                .has_closure = is_solid()});
   }
   std::unique_ptr<TetrahedraWriter> make_tetrahedra_writer(const CloudSummary& cloud) const {
     if (options_.tetrahedra.empty()) return nullptr;
     return std::make_unique<TetrahedraWriter>(
         TetrahedraWriterOptions{options_.tetrahedra, scalar_of(cloud)});
   }
+
+  std::unique_ptr<PointsWriter> make_unused_writer(const CloudSummary& cloud) const {
+    if (options_.unused.empty()) return nullptr;
+    return std::make_unique<PointsWriter>(
+        PointsWriterOptions{options_.unused, scalar_of(cloud), &context_.scratch});
+  }
+
+  bool is_solid() const { return options_.surface == SurfaceKind::kSolid; }
 
   /// Those that the journal lacks.
   void run_windows(const CloudSummary& cloud, const ChunkLayout& layout) {
@@ -130,8 +154,10 @@ class Pipeline {
                      journal_.windows(), {report_.threads, options_.window_points}, context_);
   }
 
-  void build_surface(const ExportedFacets& facets, SurfaceWriter& writer) {
-    const SurfaceCounts counts = assemble_surface(facets, writer, context_);
+  void build_surface(const ExportedFacets& facets, SurfaceWriter& writer,
+                     const AssemblyOptions& options) {
+    const SurfaceFacts facts = assemble_surface(facets, writer, context_, options);
+    const SurfaceCounts& counts = facts.counts;
     report_.surface.vertices = counts.vertices;
     report_.surface.triangles = counts.triangles;
     report_.surface.boundary_edges = counts.boundary_edges;
@@ -139,6 +165,18 @@ class Pipeline {
     report_.surface.euler = counts.euler();
     report_.surface.digest = counts.digest.hex();
     report_.surface.delta_histogram = counts.delta_histogram;
+    report_.surface.doubtful_fills = counts.doubtful_fills;
+    report_.surface.components = facts.components;
+    report_.surface.cavities = facts.cavities;
+    report_.surface.genus = facts.genus;
+    report_.surface.volume = facts.volume;
+    report_.surface.area = facts.area;
+  }
+
+  void report_samples(const OrderResult& order) {
+    if (options_.surface == SurfaceKind::kNone) return;
+    report_.surface.samples_on_surface = report_.surface.vertices;
+    report_.surface.unused_samples = order.point_count - report_.surface.vertices;
   }
 
   void report_input(const CloudSummary& cloud, const OrderResult& order) {
@@ -157,14 +195,24 @@ class Pipeline {
                        .search_seconds = totals.counts.search_seconds};
   }
 
+  struct Writers {
+    SurfaceWriter* surface;
+    TetrahedraWriter* tetrahedra;
+    PointsWriter* unused;
+  };
+
   /// All outputs or none: what can run into a full disk comes before the first final name, and the
-  /// tetrahedra step back if the surface fails.
-  static void finish(SurfaceWriter* surface, TetrahedraWriter* tetrahedra) {
+  /// others step back if the surface fails.
+  static void finish(const Writers& writers) {
+    const auto& [surface, tetrahedra, unused] = writers;
     if (tetrahedra != nullptr) tetrahedra->prepare();
+    if (unused != nullptr) unused->prepare();
     if (surface != nullptr) surface->prepare();
     if (tetrahedra != nullptr) tetrahedra->publish();
+    if (unused != nullptr) unused->publish();
     if (surface != nullptr) surface->finish();
     if (tetrahedra != nullptr) tetrahedra->keep();
+    if (unused != nullptr) unused->keep();
   }
 
   const RunOptions& options_;

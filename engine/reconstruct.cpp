@@ -98,6 +98,8 @@ const char* kind_name(SurfaceKind kind) {
       return "gamma";
     case SurfaceKind::kAlpha:
       return "alpha";
+    case SurfaceKind::kSolid:
+      return "solid";
     case SurfaceKind::kNone:
       break;
   }

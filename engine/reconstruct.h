@@ -1,17 +1,19 @@
 // The door to the whole program: points in, surface and report out.
 //
-// Guarantees: the bytes of every output depend on the input, the kind of surface with its threshold
-// and chunk_points only, not on memory_bytes or threads. Nothing stands under an output's name
-// unless the call returns. Scratch files are gone when it returns; when it throws IoError,
-// BudgetError or Interrupted after the points were ordered, they stay, and so they do after a kill:
-// a run with the same options and `resume` goes on from the last finished window, to the same
-// bytes. Thread rule: one run at a time in a process, since memory is bounded for the process as a
-// whole.
+// Guarantees: the bytes of every output depend on the input, the kind of surface with its
+// thresholds and chunk_points only, not on memory_bytes or threads. Nothing stands under an
+// output's name unless the call returns. Scratch files are gone when it returns; when it throws
+// IoError, BudgetError or Interrupted after the points were ordered, they stay, and so they do
+// after a kill: a run with the same options and `resume` goes on from the last finished window, to
+// the same bytes. Thread rule: one run at a time in a process, since memory is bounded for the
+// process as a whole.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,7 @@
 
 namespace stream_recon {
 
-enum class SurfaceKind { kGamma, kAlpha, kNone };
+enum class SurfaceKind { kGamma, kAlpha, kSolid, kNone };
 
 /// As on the command line.
 const char* kind_name(SurfaceKind kind);
@@ -36,12 +38,20 @@ struct RunOptions {
   SurfaceKind surface = SurfaceKind::kGamma;
   double delta_max_degrees = 90;  ///< gamma: facets below this angle, (0, 180]
   double alpha = 0;               ///< alpha: radius > 0, units of the input
+  /// solid: facets beyond the gamma shape are left out where their circumradius is more than this
+  /// many spacings of the samples; > 0. Nothing: the surface is closed.
+  std::optional<double> open_ratio;
+  /// solid: of the grid that the points were sampled on, along its axes, units of the input; each
+  /// > 0. Nothing: as the inputs say.
+  std::optional<std::array<double, 3>> grid_spacing;
 
   /// Ends in .pvtp, .ply or .vtk, or is "-" for PLY on standard output; not used for kNone.
   std::string output;
   /// Also writes all finite Delaunay tetrahedra; ends in .pvtu, empty for none. Neither this output
   /// nor `output` lies in the folder of the other's chunks.
   std::string tetrahedra;
+  /// Also writes the points that no triangle of the surface has; ends in .ply, empty for none.
+  std::string unused;
   std::uint64_t chunk_points = 100'000;  ///< points of the Hilbert order that share a chunk, >= 1
 
   /// Bound of the resident set of the whole process, bytes; 0: half of the machine's memory.

@@ -24,6 +24,11 @@ std::string dump(Json json, const std::vector<Json::json_pointer>& lists) {
   return text;
 }
 
+template <class Value>
+Json json_or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
 Json memory_json(const std::vector<MemorySample>& samples) {
   Json seconds = Json::array();
   Json bytes = Json::array();
@@ -61,6 +66,15 @@ std::string to_json(const Report& report) {
         {"boundary_edges", report.surface.boundary_edges},
         {"nonmanifold_edges", report.surface.nonmanifold_edges},
         {"euler", report.surface.euler},
+        {"components", report.surface.components},
+        {"cavities", report.surface.cavities},
+        {"genus", json_or_null(report.surface.genus)},
+        {"volume", json_or_null(report.surface.volume)},
+        {"area", report.surface.area},
+        {"samples_on_surface", report.surface.samples_on_surface},
+        {"unused_samples", report.surface.unused_samples},
+        {"doubtful_fills", report.surface.doubtful_fills},
+        {"forest_conflicts", report.surface.forest_conflicts},
         {"delta_histogram", report.surface.delta_histogram}}},
       {"windows",
        {{"count", report.windows.count},

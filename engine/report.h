@@ -48,6 +48,19 @@ struct Report {
     std::uint64_t boundary_edges = 0;     ///< edges of one triangle
     std::uint64_t nonmanifold_edges = 0;  ///< edges of three and more
     std::int64_t euler = 0;               ///< vertices - edges + triangles
+    /// Pieces of triangles that hang together at edges, but for cavities. Of solids two triangles
+    /// hang together where they bound the same part of the inside, so that bodies that touch along
+    /// an edge or at a vertex count as two.
+    std::uint64_t components = 0;
+    std::uint64_t cavities = 0;  ///< of solids: closed pieces around a hollow
+    /// Handles of all components and cavities; only where every piece of a solid is closed.
+    std::optional<std::int64_t> genus;
+    std::optional<double> volume;          ///< likewise; cubes of the unit of the input
+    double area = 0;                       ///< squares of the unit of the input
+    std::uint64_t samples_on_surface = 0;  ///< distinct points with a triangle: the vertices
+    std::uint64_t unused_samples = 0;      ///< distinct points without
+    std::uint64_t doubtful_fills = 0;      ///< fills of a closure above 4 (docs/formats.md)
+    std::uint64_t forest_conflicts = 0;    ///< of solids: evidence that the labels contradict
     DeltaHistogram delta_histogram{};
   } surface;
   struct {

@@ -58,11 +58,37 @@ void check_tetrahedra(const RunOptions& options) {
                       options.output, path));
 }
 
+void check_unused(const RunOptions& options) {
+  const std::string& path = options.unused;
+  if (path.empty()) return;
+  require(path.ends_with(".ply"), fmt::format("--unused {}: the name must end in .ply", path));
+  require(options.surface != SurfaceKind::kNone,
+          "--unused names the points that no triangle has, but --surface none makes no triangles; "
+          "leave one of them out");
+  const auto unused = place_of(path);
+  const auto require_apart = [&](const char* option, const std::string& other) {
+    if (other.empty() || other == "-") return;
+    require(!is_within(unused, place_of(other)),
+            fmt::format("{} {} and --unused {} would lie in one place; give --unused another name",
+                        option, other, path));
+  };
+  require_apart("-o", options.output);
+  require_apart("--tetrahedra", options.tetrahedra);
+}
+
 void check_thresholds(const RunOptions& options) {
   require(options.delta_max_degrees > 0 && options.delta_max_degrees <= 180,
           fmt::format("--delta-max {}: give an angle above 0 and up to 180 degrees",
                       options.delta_max_degrees));
   const bool is_radius = options.alpha > 0 && options.alpha <= std::numeric_limits<double>::max();
+  require(!options.open_ratio || *options.open_ratio > 0,
+          "--open: give a number of spacings above 0, 4 for example");
+  if (options.grid_spacing) {
+    for (const double spacing : *options.grid_spacing) {
+      require(spacing > 0 && spacing <= std::numeric_limits<double>::max(),
+              "--spacing: give one length above 0 or three, SX,SY,SZ, in the units of the input");
+    }
+  }
   require(options.surface != SurfaceKind::kAlpha || is_radius,
           "--surface alpha needs --alpha R, a radius above 0 in the units of the input");
 }
@@ -75,6 +101,7 @@ void check_options(const RunOptions& options) {
           "- is given twice, but standard input can be read once");
   check_output(options);
   check_tetrahedra(options);
+  check_unused(options);
   check_thresholds(options);
   require(options.chunk_points >= 1, "--chunk-points 0: give 1 or more");
 }

@@ -10,8 +10,6 @@
 
 namespace stream_recon {
 
-namespace {
-
 File create_beside(const std::string& path) {
   // A rename onto a folder fails only at the end of the run: say so at its start.
   if (is_folder(path)) throw_system_error("write", path, EISDIR);
@@ -22,8 +20,6 @@ File create_beside(const std::string& path) {
   }
   return File::create(temporary_name_beside(path));
 }
-
-}  // namespace
 
 AtomicOutput::AtomicOutput(std::string path)
     : path_(std::move(path)),

@@ -32,6 +32,10 @@ class AtomicOutput {
   TemporaryPath temporary_;
 };
 
+/// A new file under a temporary name, to take the name `path` later. \throw IoError cannot create
+/// beside `path`, or what stands there is no file
+File create_beside(const std::string& path);
+
 /// Puts all of a small file under `path`, complete or not at all; "-" is standard output.
 /// \throw IoError
 void write_output(const std::string& path, std::string_view bytes);

@@ -55,7 +55,7 @@ TEST_F(Refusals, OfUsageAre64) {
       {"cube.ply -o out.pvtp --surface klein", 64, "--surface"},
       {"cube.ply -o out.pvtp --surface crust", 64, "not yet"},
       {"cube.ply -o out.pvtp --surface hybrid", 64, "not yet"},
-      {"cube.ply -o out.pvtp --surface solid", 64, "not yet"},
+      {"cube.ply -o out.pvtp --surface solid", 64, "not available yet"},
       {"cube.ply -o out.pvtp --tetrahedra t.vtu", 64, "must end in .pvtu"},
       {"cube.ply -o out.pvtp --tetrahedra out.pvtu", 64, "one folder"},
       {"cube.ply -o ./out.pvtp --tetrahedra out.pvtu", 64, "one folder"},

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <mutex>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
@@ -17,36 +17,12 @@
 #include "engine/surface/edge_uses.h"
 #include "engine/surface/orientation.h"
 #include "tests/engine_fixture.h"
+#include "tests/recording_writer.h"
 
 namespace stream_recon {
 namespace {
 
 using Ranks = std::array<PointRank, 3>;
-
-class RecordingWriter : public SurfaceWriter {
- public:
-  explicit RecordingWriter(bool in_order) : in_order_(in_order) {}
-
-  bool takes_chunks_in_order() const override { return in_order_; }
-  void write(std::uint64_t number, const SurfaceChunk& chunk) override {
-    const std::lock_guard lock(mutex_);
-    if (in_order_) {
-      EXPECT_EQ(number, chunks.size());
-    }
-    chunks.resize(std::max<std::size_t>(chunks.size(), number + 1));
-    chunks[number] = chunk;
-  }
-  std::uint64_t bytes_written() const override { return 0; }
-
-  std::vector<SurfaceChunk> chunks;
-
- private:
-  void complete() override {}
-  void publish() override {}
-
-  bool in_order_;
-  std::mutex mutex_;
-};
 
 /// A point whose coordinates tell its rank; its input index is ten times the rank.
 StoredPoint point_of(PointRank rank) {
@@ -57,6 +33,7 @@ StoredPoint point_of(PointRank rank) {
 struct Assembled {
   SurfaceCounts counts;
   std::vector<SurfaceChunk> chunks;
+  std::uint64_t components = 0;
 };
 
 struct AssemblyCase {
@@ -83,9 +60,10 @@ Assembled assemble(const std::vector<Ranks>& facets, const ChunkLayout& layout, 
   const Reservation others =
       stage.budget.reserve(stage.budget.available() - how.memory, "everything else");
   RecordingWriter writer(how.in_order);
-  const SurfaceCounts counts = assemble_surface({exports, layout}, writer, stage.context);
+  const SurfaceFacts facts = assemble_surface({exports, layout}, writer, stage.context, {});
   EXPECT_GT(stage.budget.peak(), 0U);
-  return {counts, writer.chunks};
+  EXPECT_FALSE(facts.genus || facts.volume) << "nothing says that it bounds a solid";
+  return {facts.counts, writer.chunks, facts.components};
 }
 
 std::vector<Ranks> random_facets(std::size_t count, PointRank points, std::uint64_t seed) {
@@ -120,13 +98,44 @@ TEST(Assembly, CountsAgreeWithBruteForceHoweverTheCloudIsChunked) {
         edges.begin(), edges.end(), [&](const auto& edge) { return condition(edge.second); }));
   };
   for (std::uint64_t points_per_chunk : {1, 7, 100, 899, 900, 5000}) {
-    const auto [counts, chunks] = assemble(facets, {points_per_chunk, 900}, 1);
+    const SurfaceCounts counts = assemble(facets, {points_per_chunk, 900}, 1).counts;
     EXPECT_EQ(counts.triangles, facets.size()) << points_per_chunk;
     EXPECT_EQ(counts.vertices, vertices.size()) << points_per_chunk;
     EXPECT_EQ(counts.edges, edges.size()) << points_per_chunk;
     EXPECT_EQ(counts.boundary_edges, with([](int uses) { return uses == 1; }));
     EXPECT_EQ(counts.nonmanifold_edges, with([](int uses) { return uses > 2; }));
     EXPECT_EQ(counts.digest.hex(), digest.hex());
+  }
+}
+
+TEST(Assembly, ComponentsAreWhatHangsTogetherAtEdgesAcrossChunks) {
+  for (const std::size_t count : {20, 150, 400}) {
+    const std::vector<Ranks> facets = random_facets(count, 300, 7);
+    std::map<std::pair<PointRank, PointRank>, std::vector<std::uint32_t>> edges;
+    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+      for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+        edges[{facets[f][a], facets[f][b]}].push_back(f);
+      }
+    }
+    std::vector<std::uint32_t> label(facets.size());
+    std::iota(label.begin(), label.end(), 0U);
+    for (bool has_changed = true; has_changed;) {
+      has_changed = false;
+      for (const auto& [edge, users] : edges) {
+        for (const std::uint32_t a : users) {
+          for (const std::uint32_t b : users) {
+            if (label[a] <= label[b]) continue;
+            label[a] = label[b];
+            has_changed = true;
+          }
+        }
+      }
+    }
+    const std::set<std::uint32_t> components(label.begin(), label.end());
+    EXPECT_GT(components.size(), 2U);
+    for (std::uint64_t points_per_chunk : {1, 7, 40, 299, 300}) {
+      EXPECT_EQ(assemble(facets, {points_per_chunk, 300}, 1).components, components.size());
+    }
   }
 }
 
@@ -185,13 +194,14 @@ TEST(Assembly, ChunksAreTheSameSideBySideAndInLittleMemory) {
   const std::vector<Ranks> facets = random_facets(9000, 3000, 10);
   const ChunkLayout layout{100, 3000};
   const auto expected = assemble(facets, layout, 1);
-  // A chunk takes 6 MB, and handing numbers from chunk to chunk 12.
+  // A chunk takes 6 MB, its pieces 2, and handing numbers from chunk to chunk 12.
   const AssemblyCase side_by_side{.in_order = false};
-  const AssemblyCase one_by_one{.in_order = false, .memory = std::uint64_t{6} << 20};
-  const AssemblyCase in_little{.in_order = true, .memory = std::uint64_t{16} << 20};
+  const AssemblyCase one_by_one{.in_order = false, .memory = std::uint64_t{8} << 20};
+  const AssemblyCase in_little{.in_order = true, .memory = std::uint64_t{18} << 20};
   for (const AssemblyCase& how : {side_by_side, one_by_one, in_little}) {
     const auto found = assemble(facets, layout, 2, how);
     EXPECT_EQ(found.counts.vertices, expected.counts.vertices);
+    EXPECT_EQ(found.components, expected.components);
     EXPECT_EQ(found.counts.edges, expected.counts.edges);
     EXPECT_EQ(found.counts.digest.hex(), expected.counts.digest.hex());
     ASSERT_EQ(found.chunks.size(), expected.chunks.size());
@@ -209,7 +219,8 @@ TEST(Assembly, ChunksAreTheSameSideBySideAndInLittleMemory) {
 
 TEST(Assembly, LeavesNoGapInTheNumbersOfChunks) {
   const std::vector<Ranks> facets{{0, 1, 2}, {0, 1, 55}, {70, 71, 99}};
-  const auto [counts, chunks] = assemble(facets, {10, 100}, 1, {false});
+  const auto [counts, chunks, components] = assemble(facets, {10, 100}, 1, {false});
+  EXPECT_EQ(components, 2U);
   ASSERT_EQ(chunks.size(), 2U);
   EXPECT_EQ(chunks[0].triangles.size(), 2U);
   EXPECT_EQ(chunks[1].triangles.size(), 1U);
@@ -217,7 +228,8 @@ TEST(Assembly, LeavesNoGapInTheNumbersOfChunks) {
 }
 
 TEST(Assembly, OfNoFacetsIsNothing) {
-  const auto [counts, chunks] = assemble({}, {10, 100}, 1);
+  const auto [counts, chunks, components] = assemble({}, {10, 100}, 1);
+  EXPECT_EQ(components, 0U);
   EXPECT_EQ(counts.vertices, 0U);
   EXPECT_EQ(counts.euler(), 0);
   EXPECT_TRUE(chunks.empty());
@@ -250,7 +262,7 @@ TEST(Orientation, NeighboursAgreeOnATwoSidedSurface) {
   const std::vector<Facing> unknown(triangles.size(), Facing::kUnknown);
   const auto uses = sorted_edge_uses(triangles);
   EXPECT_EQ(uses.size(), 3 * triangles.size());
-  const auto reversed = reversals(uses, unknown);
+  const auto reversed = orient(uses, unknown).reversed;
   EXPECT_EQ(disagreements(triangles, reversed), 0);
   EXPECT_FALSE(reversed[0]);
 }
@@ -260,8 +272,9 @@ TEST(Orientation, AMoebiusStripDisagreesAndDoesNotHang) {
   std::vector<LocalTriangle> triangles;
   for (std::uint32_t i = 0; i < n; ++i) triangles.push_back({i, (i + 1) % n, (i + 2) % n});
   for (LocalTriangle& t : triangles) std::sort(t.begin(), t.end());
-  const auto reversed = reversals(sorted_edge_uses(triangles),
-                                  std::vector<Facing>(triangles.size(), Facing::kUnknown));
+  const auto reversed =
+      orient(sorted_edge_uses(triangles), std::vector<Facing>(triangles.size(), Facing::kUnknown))
+          .reversed;
   EXPECT_EQ(disagreements(triangles, reversed), 1);
 }
 
@@ -270,8 +283,9 @@ TEST(Orientation, HullFacetsTurnTheirComponentOutward) {
   const std::vector<LocalTriangle> triangles{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
   const auto uses = sorted_edge_uses(triangles);
   const auto facing_of_first = [&](Facing facing) {
-    return reversals(
-        uses, std::vector<Facing>{facing, Facing::kUnknown, Facing::kUnknown, Facing::kUnknown});
+    return orient(uses,
+                  std::vector<Facing>{facing, Facing::kUnknown, Facing::kUnknown, Facing::kUnknown})
+        .reversed;
   };
   EXPECT_EQ(facing_of_first(Facing::kInward), (std::vector<bool>{true, false, true, false}));
   EXPECT_EQ(facing_of_first(Facing::kOutward), (std::vector<bool>{false, true, false, true}));

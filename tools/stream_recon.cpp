@@ -27,6 +27,7 @@ struct CommandLine {
   std::string report;
   std::string html;
   std::string medial_axis;
+  std::vector<double> spacing;
   std::vector<std::string> words;  ///< all of them, as typed
 };
 
@@ -50,7 +51,7 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
          "-o,--output", line.run.output,
          "OUT.pvtp with a folder of chunks, OUT.ply or OUT.vtk, or - for PLY on standard output")
       ->option_text("OUT");
-  app.add_option("--surface", line.surface, "gamma (default), alpha or none")
+  app.add_option("--surface", line.surface, "gamma (default), alpha, solid or none")
       ->check(CLI::IsMember({"gamma", "alpha", "none", "crust", "hybrid", "solid"}))
       ->option_text("KIND");
   app.add_option("--delta-max", line.run.delta_max_degrees,
@@ -58,6 +59,19 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
       ->option_text("DEG");
   app.add_option("--alpha", line.run.alpha, "alpha: radius of the ball, units of the input")
       ->option_text("R");
+  app.add_option(
+         "--open", line.run.open_ratio,
+         "solid: leave facets beyond the gamma shape out where their circumradius is more "
+         "than this many spacings of the samples (default: all are there, a closed surface)")
+      ->option_text("RATIO");
+  app.add_option("--spacing", line.spacing,
+                 "solid: of the grid the points were sampled on, SX,SY,SZ or one number, units of "
+                 "the input (default: what the input says)")
+      ->delimiter(',')
+      ->expected(1)
+      ->option_text("S");
+  app.add_option("--unused", line.run.unused, "Also the points that no triangle has, in OUT.ply")
+      ->option_text("OUT");
   app.add_option("--tetrahedra", line.run.tetrahedra,
                  "Also the Delaunay tetrahedra: OUT.pvtu with a folder of chunks")
       ->option_text("OUT");
@@ -119,7 +133,8 @@ void refuse_what_is_not_yet(const CommandLine& line) {
     throw std::invalid_argument(
         fmt::format("{} is not yet in version {}; {}", what, version(), instead));
   };
-  if (line.surface != "gamma" && line.surface != "alpha" && line.surface != "none") {
+  if (line.surface != "gamma" && line.surface != "alpha" && line.surface != "solid" &&
+      line.surface != "none") {
     refuse("--surface " + line.surface, "use gamma, alpha or none");
   }
   if (!line.medial_axis.empty()) refuse("--medial-axis", "leave it out");
@@ -133,6 +148,17 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
           "--alpha is for --surface alpha; add that or leave --alpha out");
   require(line.surface == "gamma" || app.count("--delta-max") == 0,
           "--delta-max is for --surface gamma; leave it out");
+  for (const char* option : {"--open", "--spacing"}) {
+    if (line.surface != "solid" && app.count(option) != 0) {
+      throw std::invalid_argument(
+          fmt::format("{0} is for --surface solid; add that or leave {0} out", option));
+    }
+  }
+  require(line.spacing.empty() || line.spacing.size() == 1 || line.spacing.size() == 3,
+          "--spacing: give one length, or three as SX,SY,SZ");
+  require(
+      line.run.unused.empty() || (line.run.unused != line.report && line.run.unused != line.html),
+      "--unused names the file of --report or --html; give it another name");
   require(line.run.output != "-" || line.report != "-",
           "-o - and --report - both want standard output; give one of them a file");
   require(line.html != "-" || (line.run.output != "-" && line.report != "-"),
@@ -154,7 +180,8 @@ void write_html(const CommandLine& line, const Report& report) {
                      .note = {},
                      .pictures = {}};
   const bool has_surface = line.run.surface != SurfaceKind::kNone;
-  for (const std::string& output : {has_surface ? line.run.output : "", line.run.tetrahedra}) {
+  for (const std::string& output :
+       {has_surface ? line.run.output : "", line.run.tetrahedra, line.run.unused}) {
     if (!output.empty()) page.outputs.push_back(output == "-" ? "standard output" : output);
   }
   if (line.run.resume) {
@@ -169,9 +196,15 @@ void write_html(const CommandLine& line, const Report& report) {
 }
 
 void reconstruct_and_report(CommandLine& line, StopRequest& stop) {
-  const std::map<std::string, SurfaceKind> kinds{
-      {"gamma", SurfaceKind::kGamma}, {"alpha", SurfaceKind::kAlpha}, {"none", SurfaceKind::kNone}};
+  const std::map<std::string, SurfaceKind> kinds{{"gamma", SurfaceKind::kGamma},
+                                                 {"alpha", SurfaceKind::kAlpha},
+                                                 {"solid", SurfaceKind::kSolid},
+                                                 {"none", SurfaceKind::kNone}};
   line.run.surface = kinds.at(line.surface);
+  if (!line.spacing.empty()) {
+    line.run.grid_spacing = {line.spacing.front(), line.spacing[line.spacing.size() / 2],
+                             line.spacing.back()};
+  }
   line.run.stop = &stop;
   line.run.on_notice = [](const std::string& notice) { spdlog::warn("{}", notice); };
   if (line.run.surface == SurfaceKind::kNone && !line.run.output.empty()) {

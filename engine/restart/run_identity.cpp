@@ -1,6 +1,7 @@
 #include "engine/restart/run_identity.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -60,6 +61,7 @@ RunIdentity identity_of(const RunOptions& options) {
       {"version", version()},
       {"output", options.surface == SurfaceKind::kNone ? "" : absolute_path(options.output)},
       {"--tetrahedra", absolute_path(options.tetrahedra)},
+      {"--unused", absolute_path(options.unused)},
       {"--surface", kind_name(options.surface)},
       {"--chunk-points", fmt::format("{}", options.chunk_points)},
       {"--input-format", kInputFormatNames.at(static_cast<std::size_t>(options.input_format))}};
@@ -69,6 +71,12 @@ RunIdentity identity_of(const RunOptions& options) {
   if (options.surface == SurfaceKind::kAlpha) {
     identity["--alpha"] = fmt::format("{}", options.alpha);
   }
+  if (options.surface == SurfaceKind::kSolid) {
+    if (options.open_ratio) identity["--open"] = fmt::format("{}", *options.open_ratio);
+    if (options.grid_spacing) {
+      identity["--spacing"] = fmt::format("{}", fmt::join(*options.grid_spacing, ","));
+    }
+  }
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     identity[fmt::format("input {}", i + 1)] = describe_input(options.inputs[i]);
   }
@@ -77,11 +85,12 @@ RunIdentity identity_of(const RunOptions& options) {
 
 bool writes_files(const RunIdentity& identity) {
   const std::string output = value_of(identity, "output");
-  return (!output.empty() && output != "-") || !value_of(identity, "--tetrahedra").empty();
+  return (!output.empty() && output != "-") || !value_of(identity, "--tetrahedra").empty() ||
+         !value_of(identity, "--unused").empty();
 }
 
 bool have_same_outputs(const RunIdentity& a, const RunIdentity& b) {
-  for (const char* key : {"output", "--tetrahedra"}) {
+  for (const char* key : {"output", "--tetrahedra", "--unused"}) {
     if (value_of(a, key) != value_of(b, key)) return false;
   }
   return writes_files(a) || value_of(a, "input 1") == value_of(b, "input 1");

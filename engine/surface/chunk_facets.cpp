@@ -41,6 +41,7 @@ ChunkFacets::ChunkFacets(std::span<const FacetRecord> records, ChunkVertices& po
   delta.reserve(records.size());
   source.reserve(records.size());
   facing.reserve(records.size());
+  closure.reserve(records.size());
   for (const std::uint32_t i : ascending_order(records, points)) {
     const FacetRecord& facet = records[i];
     triangles.push_back({points.position(facet.ranks[0]), points.position(facet.ranks[1]),
@@ -48,6 +49,7 @@ ChunkFacets::ChunkFacets(std::span<const FacetRecord> records, ChunkVertices& po
     delta.push_back(facet.delta);
     source.push_back(facet.source);
     facing.push_back(facet.facing);
+    closure.push_back(closure_of_code(facet.closure));
   }
 }
 

@@ -13,6 +13,9 @@ class ParityForest {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
 
+  /// Of each triangle the lowest of its component. \pre find() was called for each.
+  std::vector<std::uint32_t> take_roots() { return std::move(parent_); }
+
   struct Root {
     std::uint32_t triangle;
     bool odd;
@@ -56,7 +59,7 @@ class ParityForest {
 
 }  // namespace
 
-std::vector<bool> reversals(std::span<const EdgeUse> uses, std::span<const Facing> facing) {
+Orientation orient(std::span<const EdgeUse> uses, std::span<const Facing> facing) {
   ParityForest forest(facing.size());
   for_each_edge(uses, [&forest](std::span<const EdgeUse> edge) {
     if (edge.size() != 2) return;
@@ -68,11 +71,18 @@ std::vector<bool> reversals(std::span<const EdgeUse> uses, std::span<const Facin
     const auto root = forest.find(t);
     outward[root.triangle] += static_cast<int>(facing[t]) * (root.odd ? -1 : 1);
   }
-  std::vector<bool> reversed(facing.size());
+  Orientation result{std::vector<bool>(facing.size()), {}};
   for (std::uint32_t t = 0; t < facing.size(); ++t) {
     const auto root = forest.find(t);
-    reversed[t] = root.odd != (outward[root.triangle] < 0);
+    result.reversed[t] = root.odd != (outward[root.triangle] < 0);
   }
+  result.component = forest.take_roots();
+  return result;
+}
+
+std::vector<bool> turned_outward(std::span<const Facing> facing) {
+  std::vector<bool> reversed(facing.size());
+  for (std::size_t t = 0; t < facing.size(); ++t) reversed[t] = facing[t] == Facing::kInward;
   return reversed;
 }
 
