@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace stream_recon {
 namespace {
 
 using namespace index_layout;
 
-/// How much farther than the points of the leaf before a leaf's points look at first: squared.
+/// How much farther than the leaf before a leaf looks at first, squared; the same again if that
+/// was too near.
 constexpr double kGuess = 1.2;
+constexpr double kSecondGuess = 4 * kGuess;
 
 double gap(int axis, const NodeBounds& a, const NodeBounds& b) {
   const double below = double{a.low[axis]} - b.high[axis];
@@ -21,7 +25,7 @@ PointColumns columns(const PointPage& page, std::size_t offset) {
   return {&page.x[offset], &page.y[offset], &page.z[offset]};
 }
 
-/// The children of a node, the nearest first; those without points or too far are left out.
+/// The children of a node, the nearest first.
 class Children {
  public:
   void add(double squared_gap, std::uint64_t child) {
@@ -51,11 +55,12 @@ double NeighborSearch::squared_gap(const NodeBounds& bounds) const {
   return x * x + y * y + z * z;
 }
 
+// How far the leaf before had to look is a good guess, so that few points are offered in vain; a
+// guess that is too near is noticed, one that is too far is corrected by the lists' bounds.
 void NeighborSearch::search(LeafNumber leaf) {
   load(leaf);
-  const double guess = kGuess * farthest_;
-  farthest_ = 0;
-  if (guess > 0 && (search_within(guess) || search_within(4 * guess))) return;
+  const double known = std::exchange(farthest_, 0);
+  if (known > 0 && (search_within(kGuess * known) || search_within(kSecondGuess * known))) return;
   search_within(std::numeric_limits<double>::infinity());
 }
 
@@ -76,8 +81,9 @@ void NeighborSearch::load(LeafNumber leaf) {
              .nodes[kFirstLeaf + static_cast<std::uint32_t>(leaf % kPageLeaves)];
 }
 
-// Whether that is far enough for all points: a list that is full has everything within its bound.
-bool NeighborSearch::search_within(double guess) {
+// For the points whose lists are not full yet; whether all are now. A list that is full has
+// everything within its bound.
+bool NeighborSearch::search_within(double squared_distance) {
   const PointRank first = leaf_ * kLeafPoints;
   const PointPage& page = pages_.points_at(first);
   const std::size_t offset = first % PointPage::kPoints;
@@ -85,10 +91,10 @@ bool NeighborSearch::search_within(double guess) {
   bounds_.fill(-1);
   for (std::size_t i = 0; i < count_; ++i) {
     if (lists_[i].is_full()) continue;
-    lists_[i].start(page.scaled_point(offset + i), guess);
+    lists_[i].start(page.scaled_point(offset + i), squared_distance);
     lists_[i].offer(columns(page, offset), first);
     bounds_[i] = lists_[i].bound();
-    bound_ = guess;
+    bound_ = squared_distance;
   }
   descend_top(index_.top.size() - 1, 0);
   return std::all_of(lists_.begin(), lists_.begin() + count_,

@@ -45,7 +45,7 @@ class NeighborSearch {
   void descend_top(std::size_t level, std::uint64_t node);
   void descend_page(std::uint64_t page, std::uint32_t node);
   void load(LeafNumber leaf);
-  bool search_within(double guess);
+  bool search_within(double squared_distance);
   bool reaches(const NodeBounds& bounds);
   void visit_leaf(LeafNumber leaf);
   double squared_gap(const NodeBounds& bounds) const;

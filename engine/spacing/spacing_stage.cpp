@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "engine/chunks/chunk_loop.h"
-#include "engine/parallel_records.h"
+#include "engine/parallel.h"
+#include "engine/scratch_records.h"
 #include "engine/spacing/neighbor_search.h"
 #include "spatial/local_spacing.h"
 
@@ -36,16 +37,16 @@ class SpacingStage {
       : index_(index),
         context_(context),
         floor_(floor_of(grid, index.scale)),
-        blocks_(blocks_at_once(kSpacingBlock, context.budget)),
         threads_(plan_threads()),
         cache_bytes_(plan_cache()),
-        memory_(context.budget.reserve(fixed_memory() + threads_ * kThreadMemory + cache_bytes_,
-                                       "the spacing of the points")),
+        memory_(context.budget.reserve(
+            record_file_memory(kSpacingBlock) + threads_ * kThreadMemory + cache_bytes_,
+            "the spacing of the points")),
         caches_(context.scratch, index, cache_bytes_) {}
 
   void run() {
     context_.progress.begin_stage("spacing", index_.point_count, "points");
-    auto writer = create_records<float>(context_.scratch, kSpacings, kSpacingBlock, blocks_);
+    auto writer = create_records<float>(context_.scratch, kSpacings, kSpacingBlock);
     const ChunkLoopOptions loop{.chunks = quotient_up(index_.point_count, kChunkPoints),
                                 .at_once = threads_,
                                 .takes_in_order = true};
@@ -57,8 +58,6 @@ class SpacingStage {
   }
 
  private:
-  std::uint64_t fixed_memory() const { return blocks_ * record_file_memory(kSpacingBlock); }
-
   /// Those that half of the memory has room for.
   std::uint64_t plan_threads() const {
     return std::clamp<std::uint64_t>(context_.budget.available() / 2 / kThreadMemory, 1,
@@ -94,7 +93,6 @@ class SpacingStage {
   const CloudIndex& index_;
   const StageContext& context_;
   const float floor_;
-  const std::size_t blocks_;
   const std::uint64_t threads_;
   const std::uint64_t cache_bytes_;
   Reservation memory_;

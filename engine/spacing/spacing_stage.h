@@ -2,7 +2,7 @@
 // among all points of the cloud, into a file by rank.
 //
 // Guarantees: the file's bytes are a function of the cloud and the grid alone, whatever the memory
-// and the threads. Thread rule: one caller; works on all threads. Memory: 5 MB and 4 MB a thread;
+// and the threads. Thread rule: one caller; works on all threads. Memory: 3 MB and 4 MB a thread;
 // up to a quarter of what there is for caches. Cost: about 1 us a point and thread.
 #pragma once
 
