@@ -38,12 +38,33 @@ IndexCaches::IndexCaches(const ScratchDirectory& scratch, const CloudIndex& inde
       points_(std::max<std::uint64_t>(
           1, (memory - node_share(index.point_count, memory)) / kPointPageBytes)) {}
 
+PageCache<NodePage>::Pin IndexReader::pin_nodes(std::uint64_t page) {
+  return caches_.nodes_.get(page, [&](NodePage& loaded) {
+    caches_.node_file_.read_block(page, codec_, stored_,
+                                  std::as_writable_bytes(std::span(loaded.nodes)));
+  });
+}
+
+PageCache<PointPage>::Pin IndexReader::pin_points(std::uint64_t page) {
+  return caches_.points_.get(page, [&](PointPage& loaded) {
+    const std::size_t count = caches_.point_file_.read_block(
+        page, codec_, stored_, std::as_writable_bytes(std::span(block_)));
+    loaded.unscale = 1 / caches_.scale_;
+    const double s = caches_.scale_;
+    for (std::size_t i = 0; i < PointPage::kPoints; ++i) {
+      constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+      const bool there = i < count;
+      loaded.x[i] = there ? block_[i].point.x * s : kNothing;
+      loaded.y[i] = there ? block_[i].point.y * s : kNothing;
+      loaded.z[i] = there ? block_[i].point.z * s : kNothing;
+      loaded.input_index[i] = there ? block_[i].input_index : 0;
+    }
+  });
+}
+
 const NodePage& IndexReader::nodes(std::uint64_t page) {
   if (page != node_page_) {
-    node_pin_ = caches_.nodes_.get(page, [&](NodePage& loaded) {
-      caches_.node_file_.read_block(page, codec_, stored_,
-                                    std::as_writable_bytes(std::span(loaded.nodes)));
-    });
+    node_pin_ = pin_nodes(page);
     node_page_ = page;
   }
   return *node_pin_;
@@ -52,20 +73,7 @@ const NodePage& IndexReader::nodes(std::uint64_t page) {
 const PointPage& IndexReader::points_at(PointRank rank) {
   const std::uint64_t page = rank / PointPage::kPoints;
   if (page != point_page_) {
-    point_pin_ = caches_.points_.get(page, [&](PointPage& loaded) {
-      const std::size_t count = caches_.point_file_.read_block(
-          page, codec_, stored_, std::as_writable_bytes(std::span(block_)));
-      loaded.unscale = 1 / caches_.scale_;
-      const double s = caches_.scale_;
-      for (std::size_t i = 0; i < PointPage::kPoints; ++i) {
-        constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-        const bool there = i < count;
-        loaded.x[i] = there ? block_[i].point.x * s : kNothing;
-        loaded.y[i] = there ? block_[i].point.y * s : kNothing;
-        loaded.z[i] = there ? block_[i].point.z * s : kNothing;
-        loaded.input_index[i] = there ? block_[i].input_index : 0;
-      }
-    });
+    point_pin_ = pin_points(page);
     point_page_ = page;
   }
   return *point_pin_;

@@ -66,6 +66,10 @@ class IndexReader {
   const PointPage& points_at(PointRank rank);
   StoredPoint point(PointRank rank);
 
+  /// Pages for those who keep several. \throw IoError
+  PageCache<NodePage>::Pin pin_nodes(std::uint64_t page);
+  PageCache<PointPage>::Pin pin_points(std::uint64_t page);
+
  private:
   static constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
