@@ -11,6 +11,10 @@ stream_recon_test(engine_test PARALLEL
     engine_tetrahedra_test.cpp engine_window_parts_test.cpp engine_windows_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 
+stream_recon_test(engine_labels_forest_test
+  SOURCES engine_labels_forest_test.cpp
+  LIBRARIES stream_recon::engine GTest::gmock)
+
 add_executable(restart_driver restart_driver.cpp)
 target_link_libraries(restart_driver PRIVATE stream_recon::engine stream_recon_flags)
 target_include_directories(restart_driver PRIVATE ${PROJECT_SOURCE_DIR})

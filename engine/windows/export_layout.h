@@ -20,8 +20,11 @@ enum class ExportKind : std::uint32_t {
   kBorderEdges,
   kTetrahedra,
   kBorderFacets,
+  kEvidenceNodes,
+  kEvidenceEdges,
+  kCandidates,
 };
-inline constexpr std::size_t kExportKinds = 5;
+inline constexpr std::size_t kExportKinds = 8;
 
 /// A record of any kind; shorter ones are filled with zeros.
 using ExportRecord = std::array<std::byte, 32>;

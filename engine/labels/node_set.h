@@ -1,0 +1,69 @@
+// Some of the nodes 0 ... size() - 1, and the position of each among them.
+//
+// Thread rule: one thread while nodes are added, then const for many. Memory: 2 bits a node.
+// Cost: constant.
+#pragma once
+
+#include <bit>
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+namespace stream_recon {
+
+class NodeSet {
+ public:
+  explicit NodeSet(std::uint32_t size) : size_(size), words_(words_for(size)) {}
+
+  static constexpr std::uint64_t memory(std::uint64_t nodes) {
+    return words_for(nodes) * sizeof(Word);
+  }
+
+  void insert(std::uint32_t node) {
+    assert(node < size_);
+    words_[node / kBits].bits |= std::uint64_t{1} << node % kBits;
+  }
+  /// No more nodes.
+  void number() {
+    count_ = 0;
+    for (Word& word : words_) {
+      word.before = count_;
+      count_ += static_cast<std::uint32_t>(std::popcount(word.bits));
+    }
+  }
+
+  /// Of nodes in the set and not.
+  std::uint32_t size() const { return size_; }
+  bool contains(std::uint32_t node) const {
+    assert(node < size_);
+    return (words_[node / kBits].bits >> node % kBits & 1) != 0;
+  }
+  /// How many are in the set. \pre number()
+  std::uint32_t count() const { return count_; }
+  /// How many with a lower number are in the set. \pre number()
+  std::uint32_t position(std::uint32_t node) const {
+    assert(node < size_);
+    const Word& word = words_[node / kBits];
+    const std::uint64_t below = (std::uint64_t{1} << node % kBits) - 1;
+    return word.before + static_cast<std::uint32_t>(std::popcount(word.bits & below));
+  }
+
+ private:
+  static constexpr std::uint64_t kBits = 64;
+
+  /// Nodes one after the other.
+  struct Word {
+    std::uint64_t bits = 0;
+    std::uint32_t before = 0;  ///< how many of those in earlier words are in the set
+  };
+
+  static constexpr std::uint64_t words_for(std::uint64_t nodes) {
+    return (nodes + kBits - 1) / kBits;
+  }
+
+  std::uint32_t size_;
+  std::uint32_t count_ = 0;
+  std::vector<Word> words_;
+};
+
+}  // namespace stream_recon
