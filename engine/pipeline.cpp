@@ -1,15 +1,23 @@
 #include "engine/pipeline.h"
 
+#include <fmt/format.h>
+
 #include <memory>
-#include <stdexcept>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/alpha/alpha_filter.h"
 #include "engine/disk_estimate.h"
 #include "engine/gamma/gamma_filter.h"
+#include "engine/labels/evidence_collector.h"
+#include "engine/labels/facet_labels.h"
+#include "engine/labels/forest_merge.h"
 #include "engine/memory_trace.h"
 #include "engine/order/hilbert_sort.h"
 #include "engine/order/ingest.h"
+#include "engine/spacing/spacing_reader.h"
+#include "engine/spacing/spacing_stage.h"
 #include "engine/stage_log.h"
 #include "engine/surface/assembly.h"
 #include "engine/tetrahedra/tetrahedra_assembly.h"
@@ -26,6 +34,9 @@ namespace {
 
 /// What the consumers of a window hold while it is theirs, bytes a thread.
 constexpr std::uint64_t kConsumerMemory = std::uint64_t{1} << 20;
+
+/// Ranks have 32 bits in the records of evidence, one of which is for infinity.
+constexpr std::uint64_t kMostSolidPoints = 0xfffffffe;
 
 std::unique_ptr<FacetFilter> make_filter(const RunOptions& options, const ChunkLayout& layout,
                                          const StopRequest& stop) {
@@ -46,9 +57,6 @@ class Pipeline {
       : options_(options), context_(context), journal_(journal), report_(report) {}
 
   void run() {
-    if (options_.surface == SurfaceKind::kSolid) {
-      throw std::invalid_argument("solid is not available yet");
-    }
     const CloudSummary cloud = journal_.once(&Manifest::cloud, [&] { return read_input(); });
     tell_disk(cloud);
     const auto surface_writer = make_writer(cloud);
@@ -59,10 +67,13 @@ class Pipeline {
     const ChunkLayout layout{options_.chunk_points, order.point_count};
     run_windows(cloud, layout);
     const ExportReader exports(context_.scratch, context_.budget);
+    if (is_solid()) log_.run("labels", [&] { label_solid(exports, layout); });
     if (surface_writer != nullptr) {
+      const ExportReader facets(context_.scratch, context_.budget,
+                                is_solid() ? kLabelledPrefix : kExportPrefix);
       log_.run("surface", [&] {
         build_surface(
-            {exports, layout}, *surface_writer,
+            {facets, layout}, *surface_writer,
             {.is_solid = is_solid(), .range = cloud.range, .unused = unused_writer.get()});
       });
     }
@@ -133,10 +144,21 @@ class Pipeline {
     if (points == 0 || journal_.windows().done_points() < points) {
       const CloudIndex index =
           log_.run("index", [&] { return build_index(cloud, points, context_); });
+      if (is_solid()) log_.run("spacing", [&] { measure_spacings(cloud, index); });
       log_.run("windows", [&] { build_windows(index, layout); });
       context_.scratch.remove(kIndexPages);
+      if (is_solid()) context_.scratch.remove(kSpacings);
     }
     report_windows(journal_.windows().totals);
+  }
+
+  void measure_spacings(const CloudSummary& cloud, const CloudIndex& index) const {
+    if (index.point_count > kMostSolidPoints) {
+      throw InputError(fmt::format("{} points are more than the {} that --surface solid can label; "
+                                   "use --surface gamma or split the cloud",
+                                   index.point_count, kMostSolidPoints));
+    }
+    measure_spacing(index, options_.grid_spacing ? options_.grid_spacing : cloud.spacing, context_);
   }
 
   void build_windows(const CloudIndex& index, const ChunkLayout& layout) {
@@ -144,14 +166,38 @@ class Pipeline {
         context_.budget.reserve(report_.threads * kConsumerMemory, "facets on their way");
     std::vector<WindowConsumer*> consumers;
     std::unique_ptr<FacetFilter> filter;
-    if (options_.surface != SurfaceKind::kNone) {
+    std::optional<SpacingCache> spacings;
+    std::optional<EvidenceCollector> evidence;
+    Reservation cache;
+    WindowStageOptions stage{.threads = report_.threads, .window_points = options_.window_points};
+    if (is_solid()) {
+      const std::uint64_t bytes = SpacingCache::memory(index.point_count, report_.threads,
+                                                       context_.budget.available());
+      cache = context_.budget.reserve(bytes, "the spacings of points");
+      spacings.emplace(context_.scratch, index, bytes);
+      evidence.emplace(*spacings, context_.stop);
+      consumers.push_back(&*evidence);
+      stage.consumer_bytes_a_point = EvidenceCollector::kBytesAnOwnedPoint;
+      stage.whole_stars = true;
+    } else if (options_.surface != SurfaceKind::kNone) {
       filter = make_filter(options_, layout, context_.stop);
       consumers.push_back(filter.get());
     }
     TetrahedraCollector collector(layout, context_.stop);
     if (!options_.tetrahedra.empty()) consumers.push_back(&collector);
     run_window_stage({index, consumers, [this](const auto& w) { journal_.note_windows(w); }},
-                     journal_.windows(), {report_.threads, options_.window_points}, context_);
+                     journal_.windows(), stage, context_);
+  }
+
+  /// From the windows' evidence to the facets of the surface.
+  void label_solid(const ExportReader& exports, const ChunkLayout& layout) {
+    for (const std::string& name : context_.scratch.names()) {
+      if (export_first_rank(name, kLabelledPrefix)) context_.scratch.remove(name);
+    }
+    const MergedForest forest = merge_forest(exports, context_);
+    const SolidExportOptions options{layout, options_.open_ratio};
+    report_.surface.forest_conflicts =
+        label_facets(exports, forest.labels, options, context_).conflicts;
   }
 
   void build_surface(const ExportedFacets& facets, SurfaceWriter& writer,

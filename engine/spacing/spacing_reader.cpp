@@ -20,6 +20,11 @@ std::uint64_t SpacingCache::most_memory(std::uint64_t point_count) {
   return index_layout::quotient_up(point_count, SpacingPage::kPoints) * kPageBytes;
 }
 
+std::uint64_t SpacingCache::memory(std::uint64_t point_count, unsigned readers,
+                                   std::uint64_t available) {
+  return std::min(most_memory(point_count), std::max(available / 24, least_memory(readers)));
+}
+
 SpacingCache::SpacingCache(const ScratchDirectory& scratch, const CloudIndex& index,
                            std::uint64_t memory)
     : unscale_(1 / index.scale),

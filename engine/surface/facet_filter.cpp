@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/surface/ranked_facet.h"
 #include "engine/windows/final_simplices.h"
 #include "spatial/alpha_facet.h"
 #include "spatial/cell_balls.h"
@@ -29,27 +30,6 @@ struct Facet {
 struct WaitingFacet {
   Facet facet;
   BallEstimate near;  ///< of its cell
-};
-
-/// A facet with its vertices by ascending rank.
-struct RankedFacet {
-  std::array<VertexId, 3> vertices;
-  std::array<PointRank, 3> ranks;
-  bool reversed = false;  ///< an odd permutation of the order it was given in
-
-  RankedFacet(const FinalWindow& window, const std::array<VertexId, 3>& v)
-      : vertices(v), ranks{window.rank(v[0]), window.rank(v[1]), window.rank(v[2])} {
-    order(0, 1);
-    order(1, 2);
-    order(0, 1);
-  }
-
-  void order(int i, int j) {
-    if (ranks[i] < ranks[j]) return;
-    std::swap(ranks[i], ranks[j]);
-    std::swap(vertices[i], vertices[j]);
-    reversed = !reversed;
-  }
 };
 
 /// One pass over the cells of a window, block by block. A facet is looked at from the lower in

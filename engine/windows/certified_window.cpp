@@ -164,7 +164,8 @@ std::vector<LeafNumber> CertifiedWindow::find_conflicts() {
         std::max(std::max(v[0], v[1]), is_infinite ? v[2] : std::max(v[2], v[3]));
     const bool has_waited = waits && counts_.rounds == 2;
     if (newest < asked_ && !has_waited) continue;
-    OpenCells& open = emits_part(window, v) ? emitted : others;
+    const bool asks_all = options_.whole_stars || emits_part(window, v);
+    OpenCells& open = asks_all ? emitted : others;
     open.cells.push_back(cell);
     if (open.cells.size() == CertificateSearch::kMostCells) ask(open, leaves);
   }

@@ -3,7 +3,7 @@
 //
 // Guarantees: after build() returned kDone, no point of the cloud is in conflict with a cell that
 // the window emits or a facet of which it emits, and no point later on the curve with another cell
-// that has an owned vertex. That is what FinalWindow promises (docs/algorithms/windows.md).
+// that has an owned vertex, or no point at all where whole stars are asked for. That is what FinalWindow promises (docs/algorithms/windows.md).
 // Thread rule: one thread. Memory: what build() is told, about 500 bytes an owned point, besides
 // fixed_memory(). Cost: about twice the triangulation of the owned points alone.
 // Source: docs/algorithms/windows.md
@@ -30,6 +30,11 @@ struct WindowCounts {
   void add(const WindowCounts& other);
 };
 
+struct CertifiedWindowOptions {
+  /// Prove all cells with an owned vertex, not only what is emitted.
+  bool whole_stars = false;
+};
+
 class CertifiedWindow {
  public:
   enum class Outcome {
@@ -40,10 +45,12 @@ class CertifiedWindow {
   /// What a window holds whatever its size, bytes.
   static std::uint64_t fixed_memory(const CloudIndex& index);
 
-  CertifiedWindow(const CloudIndex& index, IndexReader& reader, const StageContext& context)
+  CertifiedWindow(const CloudIndex& index, IndexReader& reader, const StageContext& context,
+                  const CertifiedWindowOptions& options)
       : index_(index),
         reader_(reader),
         context_(context),
+        options_(options),
         present_(index.leaf_count()),
         search_(index, reader) {}
 
@@ -84,6 +91,7 @@ class CertifiedWindow {
   const CloudIndex& index_;
   IndexReader& reader_;
   const StageContext& context_;
+  const CertifiedWindowOptions options_;
   PresentPoints present_;
   CertificateSearch search_;
 

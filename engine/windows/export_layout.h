@@ -58,12 +58,16 @@ inline constexpr std::size_t kExportBlock = std::size_t{128} << 10;
 
 /// Exports are files of this name and the window's first rank.
 inline constexpr std::string_view kExportPrefix = "window_";
+/// What later stages make of them has names of its own.
+inline constexpr std::string_view kLabelledPrefix = "labelled_";
 
-inline std::string export_name(std::uint64_t first_rank) {
-  return std::string(kExportPrefix) + std::to_string(first_rank);
+inline std::string export_name(std::uint64_t first_rank,
+                               std::string_view prefix = kExportPrefix) {
+  return std::string(prefix) + std::to_string(first_rank);
 }
 
 /// Of the window whose export has this name; nothing if it is no export's.
-std::optional<std::uint64_t> export_first_rank(std::string_view name);
+std::optional<std::uint64_t> export_first_rank(std::string_view name,
+                                               std::string_view prefix = kExportPrefix);
 
 }  // namespace stream_recon

@@ -26,21 +26,22 @@ Struct from_record(const ExportRecord& record) {
 
 }  // namespace
 
-std::optional<std::uint64_t> export_first_rank(std::string_view name) {
-  if (!name.starts_with(kExportPrefix)) return std::nullopt;
-  name.remove_prefix(kExportPrefix.size());
+std::optional<std::uint64_t> export_first_rank(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  name.remove_prefix(prefix.size());
   std::uint64_t rank = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), rank);
   if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
   return rank;
 }
 
-ExportReader::ExportReader(const ScratchDirectory& scratch, MemoryBudget& budget)
+ExportReader::ExportReader(const ScratchDirectory& scratch, MemoryBudget& budget,
+                           std::string_view prefix)
     : scratch_(scratch),
       budget_(budget),
       memory_(budget.reserve(0, "the table of what windows handed on")) {
   for (const std::string& name : scratch.names()) {
-    if (export_first_rank(name)) read_table(scratch, name);
+    if (export_first_rank(name, prefix)) read_table(scratch, name);
   }
   for (auto& parts : parts_) {
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {

@@ -12,6 +12,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/budget.h"
@@ -25,7 +26,8 @@ class ExportReader {
  public:
   /// Reads the tables of all exports in `scratch`, which must outlive the reader.
   /// \throw IoError, BudgetError
-  ExportReader(const ScratchDirectory& scratch, MemoryBudget& budget);
+  ExportReader(const ScratchDirectory& scratch, MemoryBudget& budget,
+               std::string_view prefix = kExportPrefix);
 
   /// What a thread takes from the budget while it reads, bytes: a reader, a part of the records,
   /// and that part as records of its kind.

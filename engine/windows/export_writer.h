@@ -8,6 +8,7 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,8 +20,9 @@ namespace stream_recon {
 class ExportWriter {
  public:
   /// \param first_rank of the window
-  ExportWriter(ScratchDirectory& scratch, std::uint64_t first_rank)
-      : scratch_(scratch), name_(export_name(first_rank)) {}
+  ExportWriter(ScratchDirectory& scratch, std::uint64_t first_rank,
+               std::string_view prefix = kExportPrefix)
+      : scratch_(scratch), name_(export_name(first_rank, prefix)) {}
   ~ExportWriter();
   ExportWriter(const ExportWriter&) = delete;
   ExportWriter& operator=(const ExportWriter&) = delete;

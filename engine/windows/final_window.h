@@ -3,7 +3,8 @@
 // Guarantees: every tetrahedron and facet whose vertex of lowest rank is owned belongs to the
 // Delaunay tetrahedralization of the whole cloud, and so do the two cells of such a facet; these
 // are what the window emits (windows/final_simplices.h). Other cells, with an owned vertex or
-// without, promise nothing. Windows own disjoint ranges of ranks that cover the cloud; they share
+// without, promise nothing, unless a consumer asked for whole stars: then every cell with an owned
+// vertex belongs to it. Windows own disjoint ranges of ranks that cover the cloud; they share
 // nothing, so a consumer must not care in which order they come. Thread rule: a view, const access
 // from many; it does not outlive what it looks at.
 #pragma once
@@ -41,6 +42,8 @@ class FinalWindow {
 
   std::uint64_t input_index(VertexId v) const { return parts_.input_indices[v]; }
 
+  /// The vertices below this one are owned.
+  VertexId owned_count() const { return static_cast<VertexId>(parts_.owned_count); }
   bool owns_vertex(VertexId v) const { return v < parts_.owned_count; }
 
   /// The lowest rank that is owned.
@@ -60,6 +63,8 @@ class WindowConsumer {
   /// Takes what the window emits and exports what later stages need of it; the window is dropped
   /// afterwards. Called from several threads at once, each with another window.
   virtual void consume(const FinalWindow& window, ExportWriter& out) = 0;
+  /// What consume() allocates for this window at most, besides a megabyte, bytes.
+  virtual std::uint64_t memory(const FinalWindow& /*window*/) const { return 0; }
 };
 
 }  // namespace stream_recon

@@ -44,6 +44,7 @@ WindowPlan plan_windows(const CloudIndex& index, const WindowStageOptions& optio
   const std::uint64_t fixed = fixed_memory(index);
   WindowPlan plan;
   plan.fixed_bytes = fixed;
+  plan.whole_stars = options.whole_stars;
   const std::uint64_t least = IndexCaches::least_memory(1) + fixed + (std::uint64_t{4} << 20);
   if (available < least) refuse(least, budget);
   plan.cache_bytes = std::clamp(available / 12, IndexCaches::least_memory(options.threads),
@@ -54,7 +55,9 @@ WindowPlan plan_windows(const CloudIndex& index, const WindowStageOptions& optio
   plan.threads = static_cast<unsigned>(
       std::clamp<std::uint64_t>(rest / (fixed + kSmallWindow), 1, options.threads));
   plan.window_bytes = rest / plan.threads - fixed;
-  std::uint64_t points = plan.window_bytes / kBytesAnOwnedPoint;
+  const std::uint64_t bytes_a_point = kBytesAnOwnedPoint + options.consumer_bytes_a_point;
+  plan.build_bytes = plan.window_bytes / bytes_a_point * kBytesAnOwnedPoint;
+  std::uint64_t points = plan.window_bytes / bytes_a_point;
   if (options.window_points != 0) points = std::min(points, options.window_points);
   const std::uint64_t evenly = quotient_up(index.point_count, kWindowsAThread * plan.threads);
   if (plan.threads > 1) points = std::min(points, std::max(evenly, kLeastOwned));

@@ -50,7 +50,7 @@ class WindowStage {
   /// One worker: windows in the order of the curve until none is left.
   void work() {
     IndexReader reader(caches_);
-    CertifiedWindow window(parts_.index, reader, context_);
+    CertifiedWindow window(parts_.index, reader, context_, {plan_.whole_stars});
     for (;;) {
       const OwnedRange owned = next_range();
       if (owned.count == 0) return;
@@ -81,11 +81,16 @@ class WindowStage {
 
   void build_and_consume(CertifiedWindow& window, const OwnedRange& owned) {
     const Clock::time_point began = Clock::now();
-    if (window.build(owned, plan_.window_bytes) == CertifiedWindow::Outcome::kOutgrown) {
-      split(window, owned);
+    if (window.build(owned, plan_.build_bytes) == CertifiedWindow::Outcome::kOutgrown) {
+      split(window, owned, window.bytes());
       return;
     }
     const FinalWindow view = window.view();
+    const std::uint64_t bytes = window.bytes() + consumer_memory(view);
+    if (bytes > plan_.window_bytes) {
+      split(window, owned, bytes);
+      return;
+    }
     const TetrahedraCensus census = take_census(view);
     ExportWriter out(context_.scratch, owned.first);
     for (WindowConsumer* consumer : parts_.consumers) consumer->consume(view, out);
@@ -118,8 +123,17 @@ class WindowStage {
                              plan_.threads);
   }
 
-  void split(CertifiedWindow& window, const OwnedRange& owned) {
-    const std::uint64_t bytes = window.bytes();
+  /// One consumer comes after the other.
+  std::uint64_t consumer_memory(const FinalWindow& view) const {
+    std::uint64_t bytes = 0;
+    for (const WindowConsumer* consumer : parts_.consumers) {
+      bytes = std::max(bytes, consumer->memory(view));
+    }
+    return bytes;
+  }
+
+  /// \param bytes that the window needs at least
+  void split(CertifiedWindow& window, const OwnedRange& owned, std::uint64_t bytes) {
     window.clear();
     if (owned.count <= kLeafPoints) refuse_star(owned, bytes);
     {

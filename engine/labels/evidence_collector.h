@@ -1,0 +1,35 @@
+// What windows find out about inside and outside: each makes the signed forest of its evidence and
+// hands on what only others can decide.
+//
+// Exports of a window, under its first rank as chunk: its border nodes, the contracted edges
+// between them, and the facets and pole pairs whose two cells are not known to lie on the same side
+// (facets) or on opposite sides (poles).
+// Thread rule: consume() from many threads at once, each with its own window. Memory: memory(),
+// about 450 bytes an owned point. Cost: about 4 us an owned point.
+#pragma once
+
+#include "engine/interrupt.h"
+#include "engine/spacing/spacing_reader.h"
+#include "engine/windows/final_window.h"
+
+namespace stream_recon {
+
+class EvidenceCollector : public WindowConsumer {
+ public:
+  /// For the plan of the windows, bytes.
+  static constexpr std::uint64_t kBytesAnOwnedPoint = 450;
+
+  /// \pre Both outlive the collector.
+  EvidenceCollector(SpacingCache& spacings, const StopRequest& stop)
+      : spacings_(spacings), stop_(stop) {}
+
+  /// \pre Whole stars are final; fewer than 2^32 - 1 points.
+  void consume(const FinalWindow& window, ExportWriter& out) override;
+  std::uint64_t memory(const FinalWindow& window) const override;
+
+ private:
+  SpacingCache& spacings_;
+  const StopRequest& stop_;
+};
+
+}  // namespace stream_recon

@@ -1,0 +1,97 @@
+#include "engine/labels/facet_labels.h"
+
+#include <array>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "engine/chunks/chunk_loop.h"
+#include "engine/labels/candidate_facet.h"
+#include "engine/windows/export_writer.h"
+
+namespace stream_recon {
+namespace {
+
+constexpr std::uint64_t kWindowMemory = ExportWriter::memory() + (std::uint64_t{1} << 20);
+
+bool is_inside(const NodeLabels& labels, const Attachment& node) {
+  return node.is_attached && labels.is_inside(node.node) != node.is_opposite;
+}
+
+FacetRecord facet_of(const CandidateFacet& candidate, Facing facing) {
+  return {.ranks = {candidate.ranks[0], candidate.ranks[1], candidate.ranks[2]},
+          .delta = candidate.delta,
+          .source = candidate.source,
+          .facing = facing,
+          .closure = candidate.closure};
+}
+
+class FacetLabels {
+ public:
+  FacetLabels(const ExportReader& windows, const WindowLabels& labels,
+              const SolidExportOptions& options, const StageContext& context)
+      : windows_(windows), labels_(labels), options_(options), context_(context) {}
+
+  FacetLabelCounts run() {
+    const auto first_ranks = windows_.chunks(ExportKind::kCandidates);
+    context_.progress.begin_stage("labels", first_ranks.size(), "windows");
+    const std::uint64_t bytes = kWindowMemory + ExportReader::read_memory();
+    for_each_chunk({.chunks = first_ranks.size(),
+                    .at_once = chunks_at_once(bytes, context_.budget),
+                    .takes_in_order = false},
+                   [&](std::uint64_t i) { return label_window(first_ranks[i]); },
+                   [this](std::uint64_t, const FacetLabelCounts& counts) { take(counts); });
+    context_.progress.end_stage();
+    return counts_;
+  }
+
+ private:
+  FacetLabelCounts label_window(PointRank first_rank) const {
+    context_.stop.check();
+    const Reservation memory = context_.budget.reserve(kWindowMemory, "labelling facets");
+    const NodeLabels labels = labels_.labels(first_rank);
+    ExportWriter out(context_.scratch, first_rank, kLabelledPrefix);
+    FacetLabelCounts counts;
+    std::vector<FacetRecord> facets;
+    const auto visit = [&](std::span<const CandidateFacet> candidates) {
+      facets.clear();
+      for (const CandidateFacet& candidate : candidates) {
+        const bool behind = is_inside(labels, candidate.behind);
+        const bool before = is_inside(labels, candidate.before);
+        if (candidate.is_pole_pair()) {
+          counts.conflicts += behind == before ? 1 : 0;
+        } else if (behind != before) {
+          facets.push_back(facet_of(candidate, behind ? Facing::kOutward : Facing::kInward));
+        }
+      }
+      counts.facets += facets.size();
+      export_solid_facets(facets, options_, out);
+    };
+    windows_.visit<CandidateFacet>(ExportKind::kCandidates, first_rank, visit);
+    out.finish();
+    return counts;
+  }
+
+  void take(const FacetLabelCounts& counts) {
+    const std::lock_guard lock(mutex_);
+    counts_.facets += counts.facets;
+    counts_.conflicts += counts.conflicts;
+    context_.progress.advance(1);
+  }
+
+  const ExportReader& windows_;
+  const WindowLabels& labels_;
+  const SolidExportOptions& options_;
+  const StageContext& context_;
+  std::mutex mutex_;
+  FacetLabelCounts counts_;
+};
+
+}  // namespace
+
+FacetLabelCounts label_facets(const ExportReader& windows, const WindowLabels& labels,
+                              const SolidExportOptions& options, const StageContext& context) {
+  return FacetLabels(windows, labels, options, context).run();
+}
+
+}  // namespace stream_recon
