@@ -3,7 +3,9 @@
 // Thread rule: a value. Memory: 4 bytes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace stream_recon {
 
@@ -20,5 +22,12 @@ struct Attachment {
 };
 
 static_assert(sizeof(Attachment) == 4);
+
+/// How many hang on nothing.
+inline std::uint64_t count_unattached(std::span<const Attachment> attachments) {
+  return static_cast<std::uint64_t>(
+      std::count_if(attachments.begin(), attachments.end(),
+                    [](const Attachment& at) { return !at.is_attached; }));
+}
 
 }  // namespace stream_recon

@@ -1,6 +1,5 @@
 #include "engine/labels/signed_forest.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <utility>
@@ -102,9 +101,7 @@ Contraction contract(const NodeSet& border, std::vector<EvidenceEdge> edges) {
   }
   edges.resize(kept);
   Contraction result{.attachments = std::move(forest).attachments(), .edges = std::move(edges)};
-  result.unattached = static_cast<std::uint64_t>(
-      std::count_if(result.attachments.begin(), result.attachments.end(),
-                    [](const Attachment& attachment) { return !attachment.is_attached; }));
+  result.unattached = count_unattached(result.attachments);
   return result;
 }
 
