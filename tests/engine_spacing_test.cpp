@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/order/hilbert_sort.h"
@@ -133,18 +134,18 @@ struct IndexedCloud {
 std::vector<Cloud> neighbors_plainly(const Cloud& points) {
   std::vector<Cloud> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::vector<NearPoint> near;
+    std::vector<std::pair<double, PointRank>> near;  // by squared distance, then rank
     for (std::size_t j = 0; j < points.size(); ++j) {
       const double dx = points[j].x - points[i].x;
       const double dy = points[j].y - points[i].y;
       const double dz = points[j].z - points[i].z;
-      if (j != i) near.push_back({dx * dx + dy * dy + dz * dz, j});
+      if (j != i) near.emplace_back(dx * dx + dy * dy + dz * dz, j);
     }
     const std::size_t count = std::min(near.size(), NeighborSearch::kMost);
     std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
     Cloud& vectors = result.emplace_back();
     for (std::size_t n = 0; n < count; ++n) {
-      const Point3& p = points[near[n].rank];
+      const Point3& p = points[near[n].second];
       vectors.push_back({p.x - points[i].x, p.y - points[i].y, p.z - points[i].z});
     }
   }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "spatial/direction_gaps.h"
@@ -112,6 +113,13 @@ TEST(LocalSpacing, OfShellsTwoLayersThickIsThatAlongTheShell) {
   }
 }
 
+TEST(LocalSpacing, IsNotToldByWhatStandsStraightAboveTheSurface) {
+  Points points = contours(4, 1);
+  points.push_back({0.02, 0.9, 0.3});
+  points.push_back({0.02, -0.9, -0.3});
+  EXPECT_GE(spacing_at_origin(points), 4);
+}
+
 TEST(LocalSpacing, OfRimsAndCornersIsThatOfTheSamplesBeside) {
   for (const bool is_corner : {false, true}) {
     Points points;
@@ -212,13 +220,13 @@ TEST(NearestList, KeepsTheLeastByDistanceAndRankOfAllFamilies) {
     }
     x[99] = y[99] = z[99] = std::numeric_limits<double>::quiet_NaN();
     const Point3 place{x[0], y[0], z[0]};
-    std::vector<NearPoint> all;
+    std::vector<std::pair<double, std::uint64_t>> all;  // squared distance, rank
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double dx = x[i] - place.x, dy = y[i] - place.y, dz = z[i] - place.z;
-      if (i != 99) all.push_back({dx * dx + dy * dy + dz * dz, i});
+      if (i != 99) all.emplace_back(dx * dx + dy * dy + dz * dz, i);
     }
     std::sort(all.begin(), all.end());
-    for (const double bound : {all[40].squared_distance, all[10].squared_distance, kInfinity}) {
+    for (const double bound : {all[40].first, all[10].first, kInfinity}) {
       NearestList list;
       list.start(place, bound);
       for (std::size_t block = kBlocks; block-- > 0;) {
@@ -226,13 +234,13 @@ TEST(NearestList, KeepsTheLeastByDistanceAndRankOfAllFamilies) {
         list.offer({&x[first], &y[first], &z[first]}, first);
       }
       std::size_t expected = 0;
-      while (expected < NearestList::kMost && all[expected].squared_distance <= bound) ++expected;
+      while (expected < NearestList::kMost && all[expected].first <= bound) ++expected;
       std::array<NearPoint, NearestList::kMost> near;
       ASSERT_EQ(list.sorted(near), expected);
       EXPECT_EQ(list.is_full(), expected == NearestList::kMost);
       for (std::size_t i = 0; i < expected; ++i) {
-        EXPECT_EQ(near[i].squared_distance, all[i].squared_distance);
-        EXPECT_EQ(near[i].rank, all[i].rank);
+        EXPECT_EQ(near[i].squared_distance, all[i].first);
+        EXPECT_EQ(near[i].rank, all[i].second);
       }
     }
   }
