@@ -30,7 +30,7 @@ struct NearPoint {
 class NearestList {
  public:
   static constexpr std::size_t kBlock = 16;
-  static constexpr std::size_t kMost = 25;  ///< points kept
+  static constexpr std::size_t kMost = 19;  ///< points kept
 
   /// \param bound points whose squared distance is larger are passed over; may be infinite
   void start(const Point3& place, double bound) {
