@@ -28,16 +28,14 @@ std::string footer() {
   std::string text = "Kinds:\n";
   for (const stream_recon::CloudKind& kind : stream_recon::cloud_kinds())
     text += fmt::format("  {:10} {}\n", kind.name, kind.description);
-  text += fmt::format("Solids: {}\n", fmt::join(stream_recon::solid_names(), ", "));
+  text += fmt::format("Solids, of which the truth is known: {}.\n",
+                      fmt::join(stream_recon::solid_names(), ", "));
   return text +
-         "Samplings of solids:\n"
-         "  random     on the surface\n"
-         "  noisy      random, moved along the normal\n"
-         "  crossings  of the surface and the edges of a grid of voxels\n"
-         "  faces      centres of the faces between an inside and an outside voxel\n"
-         "  centres    of inside voxels that have an outside face neighbour\n"
-         "The last three come close to N points and have the pixel as the spacing of a pts "
-         "stream.\n"
+         "Noisy samples of a solid are random ones, moved along the normal. The others are what a\n"
+         "segmentation leaves, on a grid of voxels as fine as N points need: crossings of the "
+         "surface\n"
+         "and grid edges; centres of the faces between an inside and an outside voxel; centres of\n"
+         "inside voxels with an outside face neighbour. A pts stream of them tells the pixel.\n"
          "The same options give the same bytes on every machine.";
 }
 
@@ -64,7 +62,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", cloud.seed, "Seed of the random kinds")->capture_default_str();
   const std::map<std::string, SolidSampling> samplings = sampling_names();
   app.add_option("--sampling", cloud.sampling,
-                 "How a solid is sampled, see below (default: random)")
+                 "random, noisy, crossings, faces or centres; of solids (default: random)")
       ->transform(CLI::Transformer(samplings))
       ->option_text("NAME");
   app.add_option("--slice-step", cloud.slice_step,
@@ -72,9 +70,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--noise", cloud.noise, "Deviation of noisy samples, in units of the mean spacing")
       ->capture_default_str();
-  app.add_option(
-      "--width", cloud.width,
-      "Gap of the pair, thickness of the plate; solids are about 2 wide (default: 0.05)");
+  app.add_option("--width", cloud.width,
+                 "Gap of the pair, thickness of the plate, below 1 (default: 0.05)");
   app.add_option("-o,--output", output.path, "File, or - for standard output")->required();
   const std::map<std::string, PointFormat> formats{{"ply", PointFormat::kPly},
                                                    {"xyz", PointFormat::kXyz},
