@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <tuple>
 #include <vector>
 
@@ -148,16 +147,12 @@ INSTANTIATE_TEST_SUITE_P(All, SolidGrids,
                                   std::to_string(std::get<1>(test.param));
                          });
 
-TEST(SolidSamples, PointsOfAGridDifferAndAreInScanOrder) {
+TEST(SolidSamples, VoxelsDifferAndAreInScanOrder) {
   const auto points =
       points_of({.solid = {"blob"}, .sampling = SolidSampling::kCentres, .points = 5000});
   for (std::size_t i = 1; i < points.size(); ++i)
     EXPECT_LT(std::tie(points[i - 1].z, points[i - 1].y, points[i - 1].x),
               std::tie(points[i].z, points[i].y, points[i].x));
-  std::set<Point3> crossings;
-  const auto all = points_of({.solid = {"blob"}, .points = 5000});
-  crossings.insert(all.begin(), all.end());
-  EXPECT_EQ(crossings.size(), all.size());
 }
 
 TEST(SolidSamples, CrossingsAndFacesComeInPairs) {
@@ -200,7 +195,7 @@ TEST(SolidSamples, NoiseHasTheDeviationAskedForAlongTheNormal) {
   EXPECT_NEAR(std::sqrt(squares / kPoints), deviation, 0.02 * deviation);
 }
 
-TEST(SolidSamples, WithoutNoiseNoisyIsRandomInOtherNumbersOnly) {
+TEST(SolidSamples, NoisyWithoutNoiseIsRandom) {
   const SolidSampleOptions options{.solid = {"blob"}, .points = 100};
   SolidSampleOptions noisy = options;
   noisy.sampling = SolidSampling::kNoisy;

@@ -31,11 +31,10 @@ std::string footer() {
   text += fmt::format("Solids, of which the truth is known: {}.\n",
                       fmt::join(stream_recon::solid_names(), ", "));
   return text +
-         "Noisy samples of a solid are random ones, moved along the normal. The others are what a\n"
-         "segmentation leaves, on a grid of voxels as fine as N points need: crossings of the "
-         "surface\n"
-         "and grid edges; centres of the faces between an inside and an outside voxel; centres of\n"
-         "inside voxels with an outside face neighbour. A pts stream of them tells the pixel.\n"
+         "Noisy samples of a solid are random ones, moved along the normal. The others are what\n"
+         "a segmentation leaves, on a grid of voxels as fine as N points need: crossings of the\n"
+         "surface and grid edges; centres of the faces between inside and outside voxels; centres\n"
+         "of inside voxels with an outside face neighbour. A pts stream of them tells the pixel.\n"
          "The same options give the same bytes on every machine.";
 }
 
@@ -58,7 +57,8 @@ int main(int argc, char** argv) {
   CLI::App app("Writes a seeded synthetic point cloud of any size as a stream", "make-cloud");
   app.footer(footer);
   app.add_option("kind", cloud.kind, "Kind of cloud, see below")->required();
-  app.add_option("-n,--points", cloud.points, "Number of points")->capture_default_str();
+  app.add_option("-n,--points", cloud.points, "Number of points; samples on a grid come close")
+      ->capture_default_str();
   app.add_option("--seed", cloud.seed, "Seed of the random kinds")->capture_default_str();
   const std::map<std::string, SolidSampling> samplings = sampling_names();
   app.add_option("--sampling", cloud.sampling,
