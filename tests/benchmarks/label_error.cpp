@@ -71,9 +71,10 @@ void LabelErrorMeter::add_triangle(const std::array<Point3, 3>& corners) {
 // A ray that the mesh does not meet has a mark at the very beginning, and so has every other one.
 void LabelErrorMeter::add_solid_rays() {
   const std::int32_t end = cell_of(solid_.reach(), cell_) + 1;
-  for (std::int32_t z = -end; z < end; ++z)
+  for (std::int32_t z = -end; z < end; ++z) {
     for (std::int32_t y = -end; y < end; ++y)
       crossings_.push_back({z, y, -std::numeric_limits<double>::infinity()});
+  }
 }
 
 LabelError LabelErrorMeter::measure() {

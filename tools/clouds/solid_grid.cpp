@@ -102,10 +102,11 @@ void SolidGridScan::take_edges() {
 }
 
 void SolidGridScan::take_edge(const Point3& a, const Point3& b, bool a_inside) {
-  if (options_.samples == GridSamples::kFaces)
+  if (options_.samples == GridSamples::kFaces) {
     found_.push_back(scaled(plus(a, b), 0.5));
-  else
+  } else {
     found_.push_back(a_inside ? find_crossing(solid_, a, b) : find_crossing(solid_, b, a));
+  }
 }
 
 bool SolidGridScan::next(Point3& out) {
