@@ -59,13 +59,26 @@ TEST(Clouds, EveryKindKeepsItsBits) {
       {"lattice", 0xdfb954a5da464b85U},   {"shell", 0x296b29dd2ba3ace7U},
       {"line", 0xc3e72c2e180ff2dfU},      {"plane", 0x39668a2832dee6b6U},
       {"circle", 0x3d245b094c57b5c7U},    {"helix", 0xd8a5635181dd1bdeU},
-      {"skew", 0x8384380e73e12405U},
+      {"skew", 0x8384380e73e12405U},      {"sponge", 0xe0811a22bdab49ddU},
+      {"nested", 0x595c93347c966685U},    {"pair", 0x959966ae796058b2U},
+      {"plate", 0x11dfdfe5591c3e40U},     {"uneven", 0x921e502b61b5190dU},
   };
   for (const CloudKind& kind : cloud_kinds()) {
     SCOPED_TRACE(kind.name);
     ASSERT_TRUE(pinned.contains(kind.name));
     EXPECT_EQ(digest(points_of({std::string(kind.name), 1000, 7, 2})), pinned.at(kind.name));
   }
+}
+
+TEST(Clouds, EverySamplingOfASolidKeepsItsBits) {
+  const std::map<SolidSampling, std::uint64_t> pinned{
+      {SolidSampling::kNoisy, 0x1c4368e8bf456028U},
+      {SolidSampling::kCrossings, 0x04ea5350f0517807U},
+      {SolidSampling::kFaces, 0xb7826cd13144ae9dU},
+      {SolidSampling::kCentres, 0xa33c8c93d076c5bdU},
+  };
+  for (const auto& [sampling, bits] : pinned)
+    EXPECT_EQ(digest(points_of({"blob", 1000, 7, 2, sampling})), bits);
 }
 
 TEST(Clouds, EveryKindDeliversTheCountAskedFor) {
@@ -89,8 +102,8 @@ TEST(Clouds, PortionsDoNotChangeThePoints) {
 }
 
 TEST(Clouds, SeedsMakeDifferentClouds) {
-  for (const char* kind :
-       {"cube", "sphere", "ellipsoid", "blob", "torus", "folded", "line", "plane"})
+  for (const char* kind : {"cube", "sphere", "ellipsoid", "blob", "torus", "folded", "sponge",
+                           "nested", "pair", "plate", "uneven", "line", "plane"})
     EXPECT_NE(points_of({kind, 10, 1}), points_of({kind, 10, 2})) << kind;
 }
 
@@ -104,6 +117,7 @@ TEST(Clouds, ATrillionPointsBeginAtOnce) {
 TEST(Clouds, UnknownKindIsRefused) {
   EXPECT_THROW(make_cloud({"cubes", 10}), std::invalid_argument);
   EXPECT_THROW(make_cloud({"shell", 10, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(make_cloud({"cube", 10, 1, 3, SolidSampling::kFaces}), std::invalid_argument);
 }
 
 TEST(Clouds, LineAndPlaneAreExact) {

@@ -55,6 +55,10 @@ TEST_F(Programs, WrongUseIs64) {
   expect_refusal("make-cloud cube -n many -o out", 64);
   expect_refusal("make-cloud cube --format stl -o out", 64);
   expect_refusal("make-cloud shell --slice-step 0 -o out", 64);
+  expect_refusal("make-cloud sphere --sampling corners -o out", 64);
+  expect_refusal("make-cloud cube --sampling faces -o out", 64);
+  expect_refusal("make-cloud sphere --sampling noisy --noise 11 -o out", 64);
+  expect_refusal("make-cloud plate --width 2 -o out", 64);
   expect_refusal("bench-kernel", 64);
   expect_refusal("bench-kernel a b", 64);
   expect_refusal("bench-kernel a --threads 0", 64);
@@ -93,6 +97,14 @@ TEST_F(Programs, ACloudGoesThroughAPipeIntoTheKernel) {
   const auto digest = [](const std::string& json) { return json.substr(json.find("digest"), 28); };
   EXPECT_EQ(digest(piped.output), digest(read.output));
   EXPECT_NE(read.output.find("\"points\": 2000"), std::string::npos) << read.output;
+}
+
+TEST_F(Programs, SamplesOfASolidTellTheirPixel) {
+  const Result faces = run("make-cloud torus --sampling faces --slice-step 2 -n 3000 -o a.pts");
+  EXPECT_EQ(faces.code, 0) << faces.error;
+  EXPECT_EQ(run("make-cloud torus --sampling faces --slice-step 2 -n 3000 -o b.pts").code, 0);
+  EXPECT_EQ(file_bytes(folder_ / "a.pts"), file_bytes(folder_ / "b.pts"));
+  EXPECT_NE(file_bytes(folder_ / "a.pts").find("\"spacing\""), std::string::npos);
 }
 
 TEST_F(Programs, DuplicatesAndFlatCloudsAreTimedToo) {

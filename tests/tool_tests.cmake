@@ -4,7 +4,11 @@ if(NOT STREAM_RECON_TOOLS)
 endif()
 
 stream_recon_test(tool_clouds_test
-  SOURCES tool_clouds_test.cpp
+  SOURCES tool_clouds_test.cpp tool_gyroid_genus_test.cpp tool_known_solid_test.cpp
+    tool_solid_samples_test.cpp
+  LIBRARIES stream_recon_clouds)
+stream_recon_test(tool_solid_quality_test
+  SOURCES tool_solid_quality_test.cpp benchmarks/label_error.cpp
   LIBRARIES stream_recon_clouds)
 stream_recon_test(tool_point_sink_test
   SOURCES tool_point_sink_test.cpp

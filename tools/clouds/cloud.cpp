@@ -6,7 +6,6 @@
 #include <functional>
 #include <stdexcept>
 
-#include "tools/clouds/folded_solid.h"
 #include "tools/clouds/grids_and_curves.h"
 #include "tools/clouds/random.h"
 #include "tools/clouds/smooth_surfaces.h"
@@ -15,13 +14,18 @@
 namespace stream_recon {
 namespace {
 
-constexpr std::array<CloudKind, 13> kKinds{{
+constexpr std::array<CloudKind, 18> kKinds{{
     {"cube", "random in the unit cube"},
     {"sphere", "random on the unit sphere"},
     {"ellipsoid", "random on a smooth ellipsoid"},
     {"blob", "random on a smooth bumpy ball"},
     {"torus", "random on a torus"},
     {"folded", "random on a gyroid cut by a ball, of large genus"},
+    {"sponge", "folded in a smaller ball, of genus 42: no handle is very thin"},
+    {"nested", "random on a shell with a ball in its cavity"},
+    {"pair", "random on two balls --width apart"},
+    {"plate", "random on a round oblique plate, --width thick, with a rounded rim"},
+    {"uneven", "random on a torus, samples 4 times as far apart on one side"},
     {"lattice", "a full block of grid points, the last layer as far as N goes"},
     {"shell", "boundary voxels of the folded solid, about N, slices --slice-step apart"},
     {"line", "random on a line, exactly collinear"},
@@ -81,13 +85,8 @@ Counted::Maker repeat(std::uint64_t seed, std::optional<Point3> (*attempt)(Rando
 Counted::Maker random_maker(const CloudOptions& options) {
   const std::uint64_t seed = options.seed;
   if (options.kind == "ellipsoid") return repeat(seed, try_ellipsoid_point);
-  if (options.kind == "blob") return repeat(seed, try_blob_point);
-  if (options.kind == "torus") return repeat(seed, try_torus_point);
-  if (options.kind == "folded") return repeat(seed, try_folded_surface_point);
   Random random(seed);
   if (options.kind == "cube") return [random](std::uint64_t) mutable { return random.in_cube(); };
-  if (options.kind == "sphere")
-    return [random](std::uint64_t) mutable { return random.direction(); };
   if (options.kind == "line")
     return [random](std::uint64_t) mutable { return collinear_point(random); };
   if (options.kind == "plane")
@@ -106,6 +105,11 @@ Counted::Maker indexed_maker(const CloudOptions& options) {
   return nullptr;
 }
 
+bool is_solid(const std::string& kind) {
+  const auto names = solid_names();
+  return std::find(names.begin(), names.end(), kind) != names.end();
+}
+
 }  // namespace
 
 std::span<const CloudKind> cloud_kinds() {
@@ -119,6 +123,16 @@ std::unique_ptr<PointSource> make_cloud(const CloudOptions& options) {
     return std::make_unique<ShellSource>(
         VoxelShell(VoxelShellOptions{options.points, options.slice_step}));
   }
+  if (is_solid(options.kind)) {
+    return sample_solid({{options.kind, options.width},
+                         options.sampling,
+                         options.points,
+                         options.seed,
+                         options.slice_step,
+                         options.noise});
+  }
+  if (options.sampling != SolidSampling::kRandom)
+    throw std::invalid_argument("this kind of cloud has but one sampling: " + options.kind);
   Counted::Maker maker = random_maker(options);
   if (!maker) maker = indexed_maker(options);
   if (!maker) throw std::invalid_argument("unknown kind of cloud: " + options.kind);

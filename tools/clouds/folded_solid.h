@@ -1,7 +1,7 @@
-// A folded solid of large genus: one side of a gyroid, cut by the unit ball.
+// A folded solid of large genus: one side of a gyroid, cut by a ball around the origin.
 //
 // The gyroid sin(kx)cos(ky) + sin(ky)cos(kz) + sin(kz)cos(kx) = 0 has three periods across the
-// ball, k = 3 pi. Inside is where the sum is negative and the point is in the ball.
+// unit ball, k = 3 pi. Inside is where the sum is negative and the point is in the ball.
 // Thread rule: stateless. Source: Schoen, NASA TN D-5541, 1970 (the gyroid).
 #pragma once
 
@@ -20,7 +20,15 @@ inline double gyroid_value(const Point3& sine, const Point3& cosine) {
   return sine.x * cosine.y + sine.y * cosine.z + sine.z * cosine.x;
 }
 
-/// A point on the solid's surface, the same density everywhere: each call tries one candidate.
-std::optional<Point3> try_folded_surface_point(Random& random);
+struct GyroidField {
+  double value;
+  Point3 gradient;
+};
+
+GyroidField gyroid_field(const Point3& p);
+
+/// A point on the surface of the solid in the ball of `radius`, the same density everywhere: each
+/// call tries one candidate.
+std::optional<Point3> try_folded_surface_point(Random& random, double radius);
 
 }  // namespace stream_recon

@@ -59,9 +59,7 @@ std::optional<Point3> try_ellipsoid_point(Random& random) {
   return Point3{kAxes.x * u.x, kAxes.y * u.y, kAxes.z * u.z};
 }
 
-std::optional<Point3> try_blob_point(Random& random) {
-  static const double largest_stretch = largest_blob_stretch();
-  const Point3 u = random.direction();
+BlobRadius blob_radius(const Point3& u) {
   double radius = 1;
   Point3 gradient;
   for (const Wave& wave : kBumps) {
@@ -71,6 +69,13 @@ std::optional<Point3> try_blob_point(Random& random) {
     gradient.y += wave.height * value.cosine * wave.frequency.y;
     gradient.z += wave.height * value.cosine * wave.frequency.z;
   }
+  return {radius, gradient};
+}
+
+std::optional<Point3> try_blob_point(Random& random) {
+  static const double largest_stretch = largest_blob_stretch();
+  const Point3 u = random.direction();
+  const auto [radius, gradient] = blob_radius(u);
   const double radial = dot(gradient, u);
   const double slope = dot(gradient, gradient) - radial * radial;  // of the part along the sphere
   const double stretch = radius * std::sqrt(radius * radius + slope);

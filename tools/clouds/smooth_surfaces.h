@@ -14,7 +14,15 @@ namespace stream_recon {
 /// The ellipsoid with half axes 1, 0.7 and 0.5.
 std::optional<Point3> try_ellipsoid_point(Random& random);
 
-/// A ball of radius 1 with smooth bumps of up to 0.2: r(u) = 1 + a sum of sine waves in u.
+/// The blob, a ball of radius 1 with smooth bumps of up to 0.2, in the direction u of length 1:
+/// r(u) = 1 + a sum of sine waves in u.
+struct BlobRadius {
+  double value;
+  Point3 gradient;  ///< of the sum as a function of space
+};
+BlobRadius blob_radius(const Point3& u);
+
+/// The blob.
 std::optional<Point3> try_blob_point(Random& random);
 
 /// The torus with radii 1 and 0.4 around the z axis.
