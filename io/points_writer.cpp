@@ -18,9 +18,9 @@ constexpr std::uint64_t kPiece = std::uint64_t{1} << 20;
 
 PointsWriter::PointsWriter(PointsWriterOptions options)
     : options_(std::move(options)),
-      spool_(options_.scratch->create(kSpool)),
       file_(create_beside(options_.path)),
-      staged_(file_.path(), TemporaryPath::Kind::kFile) {}
+      staged_(file_.path(), TemporaryPath::Kind::kFile),
+      spool_(options_.scratch->create(kSpool)) {}
 
 PointsWriter::~PointsWriter() {
   if (spool_.is_open()) options_.scratch->remove(kSpool);

@@ -61,14 +61,14 @@ class PointsWriter {
   void move_parts_to(File& target);
 
   PointsWriterOptions options_;
-  std::mutex mutex_;
-  File spool_;
-  std::vector<Part> parts_;
   std::string old_;
   File file_;
   // The renames are undone before the staged file is removed: members go in reverse order.
   TemporaryPath staged_;
   RenameSequence renames_;
+  std::mutex mutex_;
+  File spool_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace stream_recon

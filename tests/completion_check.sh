@@ -54,7 +54,7 @@ for program in "${programs[@]}"; do
 done
 
 expect "auto ply xyz f32 f64 vtk vtp pts" stream-recon --input-format ''
-expect "gamma alpha none" stream-recon in.ply --surface ''
+expect "gamma alpha solid none" stream-recon in.ply --surface ''
 expect "gamma" stream-recon in.ply --surface g
 expect "auto bar json none" stream-recon --progress ''
 expect "json" stream-recon --progress = j
@@ -66,7 +66,7 @@ expect "a.ply b.vtk with_blank.ply folder surface" stream-recon ''
 expect "a.ply" stream-recon b.vtk a
 expect "surface surface.pvtp a.ply b.vtk with_blank.ply folder" stream-recon a.ply -o ''
 expect "surface/chunk_000000.vtp" stream-recon surface/
-expect "--surface --scratch --scratch-limit" stream-recon --s
+expect "--surface --scratch --scratch-limit --spacing" stream-recon --s
 expect "--delta-max" stream-recon a.ply -o b.ply --d
 
 expect "a.ply b.vtk with_blank.ply surface surface.pvtp folder" mesh-check ''

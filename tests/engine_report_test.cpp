@@ -29,6 +29,15 @@ TEST(Report, HasTheKeysOfTheContract) {
                           "/surface/boundary_edges",
                           "/surface/nonmanifold_edges",
                           "/surface/euler",
+                          "/surface/components",
+                          "/surface/cavities",
+                          "/surface/genus",
+                          "/surface/volume",
+                          "/surface/area",
+                          "/surface/samples_on_surface",
+                          "/surface/unused_samples",
+                          "/surface/doubtful_fills",
+                          "/surface/forest_conflicts",
                           "/windows/count",
                           "/windows/guests",
                           "/windows/rounds",
@@ -46,6 +55,16 @@ TEST(Report, HasTheKeysOfTheContract) {
   }
   EXPECT_EQ(json["surface"]["euler"], -82);
   EXPECT_EQ(json["stages"][0]["bytes_written"], 200);
+}
+
+TEST(Report, HasGenusAndVolumeOnlyOfClosedSolids) {
+  Report report;
+  EXPECT_TRUE(nlohmann::json::parse(to_json(report)).at("surface").at("genus").is_null());
+  EXPECT_TRUE(nlohmann::json::parse(to_json(report)).at("surface").at("volume").is_null());
+  report.surface.genus = 42;
+  report.surface.volume = 0.125;
+  EXPECT_EQ(nlohmann::json::parse(to_json(report)).at("surface").at("genus"), 42);
+  EXPECT_EQ(nlohmann::json::parse(to_json(report)).at("surface").at("volume"), 0.125);
 }
 
 TEST(Report, HasTheSpacingOfTheSamplesWhereItIsKnown) {

@@ -18,6 +18,7 @@
 
 #include "engine/reconstruct.h"
 #include "engine/restart/manifest.h"
+#include "engine/restart/run_identity.h"
 #include "engine/restart/run_journal.h"
 #include "io/fault_injection.h"
 #include "io/folder.h"
@@ -88,7 +89,8 @@ class Restart : public testing::Test {
 
   std::string result() const {
     std::string all;
-    for (const std::string name : {"out.pvtp", "out-t.pvtu"}) all += file_bytes(folder_ / name);
+    for (const std::string name : {"out.pvtp", "out-t.pvtu", "out-u.ply"})
+      all += file_bytes(folder_ / name);
     for (const std::string name : {"out", "out-t"}) {
       for (const std::string& chunk : list_folder(folder_ / name)) {
         all += chunk + file_bytes(folder_ / name + "/" + chunk);
@@ -98,7 +100,8 @@ class Restart : public testing::Test {
   }
 
   void remove_result() const {
-    for (const char* name : {"out.pvtp", "out-t.pvtu"}) remove_file((folder_ / name).c_str());
+    for (const char* name : {"out.pvtp", "out-t.pvtu", "out-u.ply"})
+      remove_file((folder_ / name).c_str());
     for (const char* name : {"out", "out-t"}) remove_folder((folder_ / name).c_str());
   }
 
@@ -232,6 +235,7 @@ RunOptions options_in(const TestFolder& folder) {
   options.inputs = {folder / "cloud.f64"};
   options.output = folder / "out.pvtp";
   options.tetrahedra = folder / "out-t.pvtu";
+  options.unused = folder / "out-u.ply";
   options.chunk_points = 500;
   options.resume = true;
   return options;
@@ -260,12 +264,29 @@ TEST_F(Restart, WithOtherOptionsOrInputIsRefusedAndLeavesWhatWasDone) {
   options.surface = SurfaceKind::kAlpha;
   options.alpha = 1;
   EXPECT_THAT(refusal<std::invalid_argument>(options), HasSubstr("cannot resume"));
+  options.surface = SurfaceKind::kSolid;
+  options.open_ratio = 5;
+  options.grid_spacing = {1, 1, 2};
+  EXPECT_THAT(refusal<std::invalid_argument>(options), HasSubstr("cannot resume"));
   EXPECT_EQ(windows_done(), done);
   std::string cloud = file_bytes(folder_ / "cloud.f64");
   cloud[8] ^= 1;
   std::ofstream(folder_ / "cloud.f64", std::ios::binary | std::ios::trunc) << cloud;
   EXPECT_THAT(refusal<InputError>(options_in(folder_)), HasSubstr("cannot resume: input 1"));
   EXPECT_EQ(windows_done(), done);
+}
+
+TEST_F(Restart, KnowsEachOptionThatASolidDependsOn) {
+  RunOptions options = options_in(folder_);
+  options.surface = SurfaceKind::kSolid;
+  const RunIdentity closed = identity_of(options);
+  options.open_ratio = 5;
+  const RunIdentity open = identity_of(options);
+  options.grid_spacing = {1, 1, 2.5};
+  EXPECT_EQ(difference(closed, open), "--open: nothing then, 5 now");
+  EXPECT_EQ(difference(open, identity_of(options)), "--spacing: nothing then, 1,1,2.5 now");
+  options.unused.clear();
+  EXPECT_FALSE(have_same_outputs(open, identity_of(options)));
 }
 
 TEST_F(Restart, OfAnotherOutputLeavesTheDeadRunAlone) {
@@ -293,6 +314,7 @@ RunOptions options_without_files(const TestFolder& folder) {
   options.resume = false;
   options.surface = SurfaceKind::kNone;
   options.tetrahedra.clear();
+  options.unused.clear();
   options.scratch = folder.path();
   return options;
 }

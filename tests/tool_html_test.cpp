@@ -116,7 +116,15 @@ TEST(Charts, TheBudgetIsALineWhereItIsNear) {
 RunPage example() {
   RunPage page;
   page.report.version = "1.2.3";
-  page.report.surface = {"gamma", 10, 1234567, "0123456789abcdef", 3, 4, -5, {}};
+  auto& surface = page.report.surface;
+  surface.kind = "gamma";
+  surface.vertices = 10;
+  surface.triangles = 1234567;
+  surface.digest = "0123456789abcdef";
+  surface.boundary_edges = 3;
+  surface.nonmanifold_edges = 4;
+  surface.euler = -5;
+  surface.components = 98765;
   page.report.stages = {{"ingest", 0, 0.5, 1, 2}};
   page.inputs = {"folder/cloud.ply"};
   page.outputs = {"out.pvtp"};

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <array>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "engine/reconstruct.h"
 #include "engine/size_text.h"
@@ -27,7 +30,6 @@ struct CommandLine {
   std::string report;
   std::string html;
   std::string medial_axis;
-  std::vector<double> spacing;
   std::vector<std::string> words;  ///< all of them, as typed
 };
 
@@ -44,6 +46,24 @@ void add_input_options(CLI::App& app, CommandLine& line) {
                  "auto, ply, xyz, f32, f64, vtk, vtp or pts (default: auto)")
       ->transform(CLI::CheckedTransformer(formats))
       ->option_text("FORMAT");
+}
+
+/// One length, or three with commas between.
+void add_spacing(CLI::App& app, std::optional<std::array<double, 3>>& spacing) {
+  const auto read = [&spacing](const CLI::results_t& texts) {
+    const std::vector<std::string> words = CLI::detail::split(texts.at(0), ',');
+    std::array<double, 3> lengths{};
+    if (words.size() != 1 && words.size() != 3) return false;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      if (!CLI::detail::lexical_cast(words[i % words.size()], lengths[i])) return false;
+    }
+    spacing = lengths;
+    return true;
+  };
+  app.add_option("--spacing", read,
+                 "solid: of the grid the points were sampled on, SX,SY,SZ or one number, units of "
+                 "the input (default: what the input says)")
+      ->option_text("S");
 }
 
 void add_surface_options(CLI::App& app, CommandLine& line) {
@@ -64,12 +84,7 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
          "solid: leave facets beyond the gamma shape out where their circumradius is more "
          "than this many spacings of the samples (default: all are there, a closed surface)")
       ->option_text("RATIO");
-  app.add_option("--spacing", line.spacing,
-                 "solid: of the grid the points were sampled on, SX,SY,SZ or one number, units of "
-                 "the input (default: what the input says)")
-      ->delimiter(',')
-      ->expected(1)
-      ->option_text("S");
+  add_spacing(app, line.run.grid_spacing);
   app.add_option("--unused", line.run.unused, "Also the points that no triangle has, in OUT.ply")
       ->option_text("OUT");
   app.add_option("--tetrahedra", line.run.tetrahedra,
@@ -154,8 +169,6 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
           fmt::format("{0} is for --surface solid; add that or leave {0} out", option));
     }
   }
-  require(line.spacing.empty() || line.spacing.size() == 1 || line.spacing.size() == 3,
-          "--spacing: give one length, or three as SX,SY,SZ");
   require(
       line.run.unused.empty() || (line.run.unused != line.report && line.run.unused != line.html),
       "--unused names the file of --report or --html; give it another name");
@@ -201,10 +214,6 @@ void reconstruct_and_report(CommandLine& line, StopRequest& stop) {
                                                  {"solid", SurfaceKind::kSolid},
                                                  {"none", SurfaceKind::kNone}};
   line.run.surface = kinds.at(line.surface);
-  if (!line.spacing.empty()) {
-    line.run.grid_spacing = {line.spacing.front(), line.spacing[line.spacing.size() / 2],
-                             line.spacing.back()};
-  }
   line.run.stop = &stop;
   line.run.on_notice = [](const std::string& notice) { spdlog::warn("{}", notice); };
   if (line.run.surface == SurfaceKind::kNone && !line.run.output.empty()) {

@@ -1,6 +1,7 @@
 #include "engine/surface/chunk_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -44,7 +45,7 @@ std::vector<EdgeUse> shared_uses(const EdgeCensus::ChunkEdges& edges) {
 
 SharedEdge edge_of_use(const EdgeUse& use, const LocalTriangle& triangle,
                        std::span<const PointRank> ranks) {
-  constexpr int kApexOfSide[] = {2, 0, 1};
+  constexpr std::array<int, 3> kApexOfSide{2, 0, 1};
   return {ranks[use.low], ranks[use.high], ranks[triangle[kApexOfSide[use.use % 3]]]};
 }
 

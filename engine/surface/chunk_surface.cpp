@@ -63,6 +63,35 @@ SimplexDigest digest_of(const SurfaceChunk& chunk) {
   return digest;
 }
 
+/// Of coordinates times `scale`.
+DoubleDouble area_of(const SurfaceChunk& chunk, double scale) {
+  double area = 0;
+  double lost = 0;  // by rounding; apart, so that a sum need not wait for the one before
+  for (const auto& v : chunk.triangles) {
+    const double term =
+        triangle_area(scaled(chunk.points[v[0]], scale), scaled(chunk.points[v[1]], scale),
+                      scaled(chunk.points[v[2]], scale));
+    const DoubleDouble sum = exact_sum(area, term);
+    area = sum.high;
+    lost += sum.low;
+  }
+  return exact_sum(area, lost);
+}
+
+/// To each piece what its triangles add to its volume, of coordinates times `scale`; the sum.
+DoubleDouble add_volumes(const SurfaceChunk& chunk, double scale, ChunkPieces& pieces) {
+  for (std::size_t t = 0; t < chunk.triangles.size(); ++t) {
+    const auto& v = chunk.triangles[t];
+    DoubleDouble& volume = pieces.facts[pieces.of_triangle[t]].volume;
+    volume = volume + six_cone_volumes(scaled(chunk.points[v[0]], scale),
+                                       scaled(chunk.points[v[1]], scale),
+                                       scaled(chunk.points[v[2]], scale));
+  }
+  DoubleDouble sum;
+  for (const PieceFacts& piece : pieces.facts) sum = sum + piece.volume;
+  return sum;
+}
+
 /// Those of the chunk itself among its vertices, which ascend.
 std::span<const PointRank> own_part(std::span<const PointRank> vertices, PointRank end) {
   const auto own_end = std::lower_bound(vertices.begin(), vertices.end(), end);
@@ -115,7 +144,6 @@ ChunkSurface ChunkSurfaceMaker::make(std::uint64_t chunk) const {
     result.chunk.vertex_numbers = numbering_->numbers_of(chunk, facets.vertices);
   }
   measure(result);
-  if (!options_.is_solid) result.chunk.closure.clear();
   if (options_.unused != nullptr) find_unused(chunk, facets.vertices, result);
   return result;
 }
@@ -190,19 +218,11 @@ void ChunkSurfaceMaker::measure(ChunkSurface& result) const {
   result.counts.digest = digest_of(chunk);
   result.counts.add_deltas(chunk.delta);
   result.counts.add_closures(chunk.closure, chunk.source);
-  const double scale = options_.range.scale().value_or(1);
-  for (std::size_t t = 0; t < chunk.triangles.size(); ++t) {
-    const auto& v = chunk.triangles[t];
-    const Point3 a = scaled(chunk.points[v[0]], scale);
-    const Point3 b = scaled(chunk.points[v[1]], scale);
-    const Point3 c = scaled(chunk.points[v[2]], scale);
-    result.sums.area = result.sums.area + DoubleDouble{triangle_area(a, b, c), 0};
-    if (!options_.is_solid) continue;
-    PieceFacts& piece = result.pieces.facts[result.pieces.of_triangle[t]];
-    piece.volume = piece.volume + six_cone_volumes(a, b, c);
-  }
-  for (const PieceFacts& piece : result.pieces.facts) {
-    result.sums.six_volumes = result.sums.six_volumes + piece.volume;
+  result.sums.area = area_of(chunk, scale_);
+  if (options_.is_solid) {
+    result.sums.six_volumes = add_volumes(chunk, scale_, result.pieces);
+  } else {
+    result.chunk.closure.clear();
   }
   result.pieces.of_triangle = {};
 }

@@ -45,6 +45,7 @@ class ChunkSurfaceMaker {
         numbering_(input.numbering),
         options_(input.options),
         context_(context),
+        scale_(input.options.range.scale().value_or(1)),
         store_(context.scratch.open(kPointStore)) {}
 
   /// \throw IoError, BudgetError, Interrupted
@@ -74,6 +75,7 @@ class ChunkSurfaceMaker {
   const VertexNumbering* numbering_;
   const AssemblyOptions& options_;
   const StageContext& context_;
+  const double scale_;  ///< of coordinates, for sums that neither overflow nor vanish
   PointStoreFile store_;
 };
 

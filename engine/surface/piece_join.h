@@ -2,7 +2,7 @@
 //
 // Guarantees: counts and sums are functions of the surface and the chunk layout, whatever the
 // order in which chunks come. Thread rule: add() from one thread at a time; finish() once, after
-// them. Memory, from the budget: 40 bytes a chunk and kWritingMemory while chunks come; 8 bytes,
+// them. Memory, from the budget: 64 bytes a chunk and kWritingMemory while chunks come; 8 bytes,
 // of a solid 32, for each piece that reaches other chunks; about 5 MB more while they are joined,
 // where there are any. Cost: what is told of shared edges goes to disk and is sorted there.
 // Source: union-find, Tarjan 1975.

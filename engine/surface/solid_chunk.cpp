@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/surface/chunk_stars.h"
 #include "engine/surface/edge_wedges.h"
 #include "engine/surface/piece_forest.h"
 #include "spatial/vector.h"
@@ -16,62 +17,13 @@ constexpr std::uint64_t kCrowdedPoint = 44;
 
 using Pair = std::array<std::uint32_t, 2>;  ///< positions among the uses of an edge
 
-/// All triangles at the chunk's points: its own first, then those of earlier chunks.
-struct Stars {
-  std::vector<PointRank> ranks;          ///< ascending
-  std::vector<LocalTriangle> triangles;  ///< positions in ranks, ascending
-  std::vector<bool> is_outward;          ///< of each triangle: facing of its ascending order
-  std::uint32_t own = 0;                 ///< triangles of the chunk
-
-  explicit Stars(const SolidChunkInput& input)
-      : own(static_cast<std::uint32_t>(input.own.triangles.size())) {
-    for (const FacetRecord& facet : input.border) {
-      ranks.insert(ranks.end(), facet.ranks.begin(), facet.ranks.end());
-    }
-    ranks.insert(ranks.end(), input.own.vertices.begin(), input.own.vertices.end());
-    std::sort(ranks.begin(), ranks.end());
-    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-    triangles.reserve(own + input.border.size());
-    is_outward.reserve(own + input.border.size());
-    add_own(input.own);
-    for (const FacetRecord& facet : input.border) {
-      const auto& v = facet.ranks;
-      triangles.push_back({position(v[0]), position(v[1]), position(v[2])});
-      is_outward.push_back(facet.facing == Facing::kOutward);
-    }
-  }
-
-  std::uint32_t position(PointRank rank) const {
-    const auto at = std::lower_bound(ranks.begin(), ranks.end(), rank);
-    return static_cast<std::uint32_t>(at - ranks.begin());
-  }
-
-  /// Whether the triangle runs along the edge from low to high, seen from outside.
-  bool rises(const EdgeUse& use) const { return use.ascending() == is_outward[use.triangle()]; }
-
- private:
-  void add_own(const ChunkFacets& facets) {
-    std::vector<std::uint32_t> place;
-    place.reserve(facets.vertices.size());
-    auto next = ranks.begin();
-    for (const PointRank rank : facets.vertices) {
-      next = std::find(next, ranks.end(), rank);
-      place.push_back(static_cast<std::uint32_t>(next - ranks.begin()));
-    }
-    for (const LocalTriangle& v : facets.triangles) {
-      triangles.push_back({place[v[0]], place[v[1]], place[v[2]]});
-    }
-    for (const Facing facing : facets.facing) is_outward.push_back(facing == Facing::kOutward);
-  }
-};
-
 class SolidChunkExamination {
  public:
   SolidChunkExamination(const SolidChunkInput& input, const SolidPoints& points)
       : points_(points),
         scale_(points.range.scale().value_or(1)),
         predicates_(points.range.times(scale_)),
-        stars_(input),
+        stars_(input.own, input.border),
         first_(stars_.position(input.first)),
         end_(stars_.position(input.end)),
         uses_(sorted_edge_uses(stars_.triangles)),
@@ -90,15 +42,12 @@ class SolidChunkExamination {
 
  private:
   bool is_own_point(std::uint32_t position) const { return position >= first_ && position < end_; }
-  bool is_own(const EdgeUse& use) const { return use.triangle() < stars_.own; }
+  bool is_own(const EdgeUse& use) const { return stars_.is_own(use); }
   /// Whether all triangles at the edge are known here.
   bool is_known(const EdgeUse& edge) const {
     return is_own_point(edge.low) || is_own_point(edge.high);
   }
-  std::uint32_t apex(const EdgeUse& use) const {
-    constexpr int kApexOfSide[] = {2, 0, 1};
-    return stars_.triangles[use.triangle()][kApexOfSide[use.use % 3]];
-  }
+  std::uint32_t apex(const EdgeUse& use) const { return stars_.apex(use); }
 
   /// The points at edges of more than two triangles, where angles decide.
   void read_crowded_points() {
@@ -229,7 +178,7 @@ class SolidChunkExamination {
   const SolidPoints& points_;
   const double scale_;  ///< of coordinates, for the predicates
   const Predicates predicates_;
-  const Stars stars_;
+  const ChunkStars stars_;
   const std::uint32_t first_;  ///< positions of the chunk's own points, and their end
   const std::uint32_t end_;
   const std::vector<EdgeUse> uses_;

@@ -73,7 +73,7 @@ _stream_recon_value() {
   local -a words
   case $value in
     SIZE) words=(64M 128M 256M 512M 1G 2G 4G 8G 16G) ;;
-    N | R | S | V | X,Y,Z | I:* | BYTES | DEG | ID | PIXELS | INT* | UINT* | FLOAT*) return ;;
+    N | R | RATIO | S | V | X,Y,Z | I:* | BYTES | DEG | ID | PIXELS | INT* | UINT* | FLOAT*) return ;;
     COLOR) words=(Delta Source Closure component none) ;;
     DIR)
       compopt -o filenames 2>/dev/null

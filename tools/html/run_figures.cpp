@@ -35,15 +35,23 @@ std::string hash(const std::string& digest) {
 
 std::string surface_figures(const Report& report) {
   const auto& surface = report.surface;
-  return Figures()
-      .add("kind", escape(surface.kind))
+  Figures figures;
+  figures.add("kind", escape(surface.kind))
       .add("vertices", count(surface.vertices))
+      .add("samples without a triangle", count(surface.unused_samples))
       .add("triangles", count(surface.triangles))
       .add("boundary edges", count(surface.boundary_edges))
       .add("edges of 3 or more triangles", count(surface.nonmanifold_edges))
       .add("Euler characteristic", count(surface.euler))
-      .add("digest", hash(surface.digest))
-      .section("Surface");
+      .add("components", count(surface.components));
+  if (surface.kind == "solid") {
+    figures.add("cavities", count(surface.cavities))
+        .add("doubtful fills", count(surface.doubtful_fills));
+  }
+  if (surface.genus) figures.add("genus", count(*surface.genus));
+  figures.add("area", fmt::format("{:.6g}", surface.area));
+  if (surface.volume) figures.add("volume", fmt::format("{:.6g}", *surface.volume));
+  return figures.add("digest", hash(surface.digest)).section("Surface");
 }
 
 std::string input_figures(const Report& report) {
