@@ -23,6 +23,12 @@ class NodeSet {
     assert(node < size_);
     words_[node / kBits].bits |= std::uint64_t{1} << node % kBits;
   }
+  /// Forgets the nodes from `size` on. \pre None of them is in the set
+  void shrink(std::uint32_t size) {
+    assert(size <= size_);
+    size_ = size;
+    words_.resize(words_for(size));
+  }
   /// No more nodes.
   void number() {
     count_ = 0;

@@ -104,7 +104,7 @@ Contraction contract(const NodeSet& border, std::vector<EvidenceEdge> edges) {
   Contraction result{.attachments = std::move(forest).attachments(), .edges = std::move(edges)};
   result.unattached = static_cast<std::uint64_t>(
       std::count_if(result.attachments.begin(), result.attachments.end(),
-                    [](const Attachment& attachment) { return !attachment.is_attached; }));
+                    [](const Attachment& at) { return !at.is_attached; }));
   return result;
 }
 

@@ -1,15 +1,16 @@
 // Merges sorted runs on disk into one sorted stream.
 //
 // Guarantees: next() delivers the records of all runs in order. Thread rule: one thread.
-// Memory: RunMerger::memory(runs). Source: Knuth, The Art of Computer Programming 3, section 5.4.1.
+// Memory: RunMerger::memory(runs).
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "engine/order/stream_merger.h"
 #include "engine/scratch_records.h"
 #include "io/scratch_directory.h"
 
@@ -23,25 +24,10 @@ class RunMerger {
  public:
   /// \throw IoError
   RunMerger(const ScratchDirectory& scratch, const std::vector<std::string>& runs)
-      : runs_(runs.size()) {
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      runs_[i].reader = std::make_unique<ScratchReader<Record>>(scratch, runs[i]);
-      if (runs_[i].refill()) push(i);
-    }
-  }
+      : merger_(open(scratch, runs), kRunBlock / sizeof(Record)) {}
 
   /// False at the end. \throw IoError
-  bool next(Record& record) {
-    if (heap_.empty()) return false;
-    std::pop_heap(heap_.begin(), heap_.end(), Later{&runs_});
-    const std::size_t winner = heap_.back();
-    heap_.pop_back();
-    Run& run = runs_[winner];
-    record = run.front();
-    ++run.next;
-    if (run.next < run.buffer.size() || run.refill()) push(winner);
-    return true;
-  }
+  bool next(Record& record) { return merger_.next(record).has_value(); }
 
   /// Bytes for merging `runs` runs.
   static constexpr std::uint64_t memory(std::uint64_t runs) {
@@ -49,34 +35,18 @@ class RunMerger {
   }
 
  private:
-  struct Run {
-    std::unique_ptr<ScratchReader<Record>> reader;
-    std::vector<Record> buffer;
-    std::size_t next = 0;
+  using Readers = std::vector<std::unique_ptr<ScratchReader<Record>>>;
 
-    bool refill() {
-      buffer.resize(kRunBlock / sizeof(Record));
-      buffer.resize(reader->read(buffer));
-      next = 0;
-      return !buffer.empty();
+  static Readers open(const ScratchDirectory& scratch, const std::vector<std::string>& runs) {
+    Readers readers;
+    readers.reserve(runs.size());
+    for (const std::string& run : runs) {
+      readers.push_back(std::make_unique<ScratchReader<Record>>(scratch, run));
     }
-    const Record& front() const { return buffer[next]; }
-  };
-
-  struct Later {
-    const std::vector<Run>* runs;
-    bool operator()(std::size_t a, std::size_t b) const {
-      return (*runs)[b].front() < (*runs)[a].front();
-    }
-  };
-
-  void push(std::size_t run) {
-    heap_.push_back(run);
-    std::push_heap(heap_.begin(), heap_.end(), Later{&runs_});
+    return readers;
   }
 
-  std::vector<Run> runs_;
-  std::vector<std::size_t> heap_;  ///< runs that are not empty, the one with the least front first
+  StreamMerger<Record, ScratchReader<Record>> merger_;
 };
 
 }  // namespace stream_recon

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::uint64_t kTableBatch = 1024;
 
-[[noreturn]] void fail(const std::string& name) {
-  throw IoError("the scratch file " + name +
-                " does not hold what a window handed on; start again without --resume");
-}
-
 template <class Struct>
 Struct from_record(const ExportRecord& record) {
   Struct result;
@@ -25,6 +20,11 @@ Struct from_record(const ExportRecord& record) {
 }
 
 }  // namespace
+
+void throw_damaged_export(const std::string& name) {
+  throw IoError("the scratch file " + name +
+                " does not hold what a window handed on; start again without --resume");
+}
 
 std::optional<std::uint64_t> export_first_rank(std::string_view name) {
   if (!name.starts_with(kExportPrefix)) return std::nullopt;
@@ -55,9 +55,10 @@ void ExportReader::read_table(const ScratchDirectory& scratch, const std::string
   ScratchReader<ExportRecord> reader(scratch, name);
   const std::uint64_t count = reader.count();
   ExportRecord record;
-  if (count == 0 || reader.read_at(count - 1, {&record, 1}) != 1) fail(name);
+  if (count == 0 || reader.read_at(count - 1, {&record, 1}) != 1) throw_damaged_export(name);
   const auto tail = from_record<ExportTail>(record);
-  if (tail.mark != ExportTail::kMark || tail.parts + tail.records + 1 != count) fail(name);
+  if (tail.mark != ExportTail::kMark || tail.parts + tail.records + 1 != count)
+    throw_damaged_export(name);
   records_ += tail.records;
   // Twice, because a vector that grows holds its elements twice for a moment.
   memory_.resize(memory_.bytes() + 2 * tail.parts * sizeof(Part));
@@ -69,7 +70,8 @@ void ExportReader::read_table(const ScratchDirectory& scratch, const std::string
     for (const ExportRecord& bytes : batch) {
       const auto part = from_record<ExportPart>(bytes);
       const auto kind = static_cast<std::size_t>(part.kind);
-      if (kind >= kExportKinds || part.first + part.count > tail.records) fail(name);
+      if (kind >= kExportKinds || part.first + part.count > tail.records)
+        throw_damaged_export(name);
       parts_[kind].push_back({part.chunk, part.first, file, part.count});
     }
   }
@@ -91,6 +93,14 @@ std::uint64_t ExportReader::count(ExportKind kind, std::uint64_t chunk) const {
   return count;
 }
 
+std::vector<std::uint64_t> ExportReader::chunks(ExportKind kind) const {
+  std::vector<std::uint64_t> chunks;
+  for (const Part& part : parts_[static_cast<std::size_t>(kind)]) {
+    if (chunks.empty() || chunks.back() != part.chunk) chunks.push_back(part.chunk);
+  }
+  return chunks;
+}
+
 void ExportReader::visit_raw(ExportKind kind, std::uint64_t chunk, const VisitRaw& visit) const {
   const auto parts = parts_of(kind, chunk);
   if (parts.empty()) return;
@@ -101,7 +111,8 @@ void ExportReader::visit_raw(ExportKind kind, std::uint64_t chunk, const VisitRa
     ScratchReader<ExportRecord> reader(scratch_, files_[file]);
     for (; part != parts.end() && part->file == file; ++part) {
       records.resize(part->count);
-      if (reader.read_at(part->first, records) != records.size()) fail(files_[file]);
+      if (reader.read_at(part->first, records) != records.size())
+        throw_damaged_export(files_[file]);
       visit(records);
     }
   }

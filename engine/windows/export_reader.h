@@ -21,6 +21,13 @@
 
 namespace stream_recon {
 
+namespace detail {
+class RawExportCursor;
+}
+
+/// \throw IoError always: says that an export is not what a window has written
+[[noreturn]] void throw_damaged_export(const std::string& name);
+
 class ExportReader {
  public:
   /// Reads the tables of all exports in `scratch`, which must outlive the reader.
@@ -37,6 +44,8 @@ class ExportReader {
   /// Of all kinds and chunks.
   std::uint64_t records() const { return records_; }
   std::uint64_t count(ExportKind kind, std::uint64_t chunk) const;
+  /// Those that have records of the kind, ascending.
+  std::vector<std::uint64_t> chunks(ExportKind kind) const;
 
   /// Calls visit(span) for the records of a chunk, some at a time. \throw IoError, BudgetError
   template <ExportableRecord Record, class Visit>
@@ -52,6 +61,8 @@ class ExportReader {
   }
 
  private:
+  friend class detail::RawExportCursor;
+
   struct Part {
     std::uint64_t chunk;
     std::uint64_t first;
