@@ -9,7 +9,7 @@ stream_recon_test(engine_test PARALLEL
   LIBRARIES stream_recon::engine GTest::gmock)
 
 stream_recon_test(engine_labels_forest_test
-  SOURCES engine_labels_forest_test.cpp
+  SOURCES engine_labels_forest_test.cpp engine_labels_merge_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 
 add_executable(restart_driver restart_driver.cpp)

@@ -21,11 +21,12 @@ namespace stream_recon {
 inline constexpr std::size_t kEvidenceBlock = std::size_t{128} << 10;
 
 struct EvidencePart {
-  std::uint64_t first_rank = 0;  ///< of the first window
+  std::uint64_t first_rank = 0;  ///< of the first window, or no more than that: no evidence below
   std::uint64_t end_rank = 0;    ///< no evidence between two parts: the next one's first
   std::uint64_t nodes = 0;
   std::uint64_t edges = 0;
-  std::string name;  ///< of its files; empty: a window's export
+  std::uint64_t chunk = 0;  ///< of a window's export
+  std::string name;         ///< of its files; empty: a window's export
 
   bool is_window() const { return name.empty(); }
   std::string nodes_file() const { return name + "_nodes"; }
@@ -52,7 +53,7 @@ class EvidenceStream {
     constexpr bool kIsNodes = std::is_same_v<Record, NodeKey>;
     if (part.is_window()) {
       constexpr auto kKind = kIsNodes ? ExportKind::kEvidenceNodes : ExportKind::kEvidenceEdges;
-      window_ = std::make_unique<ExportCursor<Record>>(source.exports, kKind, part.first_rank);
+      window_ = std::make_unique<ExportCursor<Record>>(source.exports, kKind, part.chunk);
     } else {
       file_ = std::make_unique<ScratchReader<Record>>(
           source.scratch, kIsNodes ? part.nodes_file() : part.edges_file());

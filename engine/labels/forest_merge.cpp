@@ -36,6 +36,7 @@ class ForestMerge {
     counts_.nodes += levels_.back().parts.front().nodes;
     counts_.levels = levels_.size() - 1;
     auto labels = descend(std::move(levels_), context_);
+    counts_.unattached = labels->unattached();
     memory_.resize(first_ranks_.size() * sizeof(PointRank));
     return {WindowLabels(std::move(first_ranks_), std::move(labels), std::move(memory_)), counts_};
   }
@@ -52,6 +53,7 @@ class ForestMerge {
           .end_rank = is_last ? std::numeric_limits<PointRank>::max() : first_ranks_[i + 1],
           .nodes = source_.exports.count(ExportKind::kEvidenceNodes, first_ranks_[i]),
           .edges = source_.exports.count(ExportKind::kEvidenceEdges, first_ranks_[i]),
+          .chunk = first_ranks_[i],
           .name = {}};
       counts_.edges += part.edges;
       level.parts.push_back(std::move(part));
@@ -96,7 +98,6 @@ void ForestMerge::join_level() {
     JoinedParts result = join_parts(source_, group, name, context_);
     remove_files(group);
     counts_.nodes += result.contracted;
-    counts_.unattached += result.unattached;
     joined.parts.push_back(std::move(result.part));
     begin = end;
   }

@@ -22,11 +22,10 @@
 namespace stream_recon {
 
 struct ForestCounts {
-  std::uint64_t nodes = 0;   ///< that windows handed on, each once
-  std::uint64_t edges = 0;   ///< that windows handed on
-  std::uint64_t levels = 0;  ///< of joining
-  std::uint64_t unattached =
-      0;  ///< nodes that no evidence leads to from the infinite node: outside
+  std::uint64_t nodes = 0;       ///< that windows handed on, each once
+  std::uint64_t edges = 0;       ///< that windows handed on
+  std::uint64_t levels = 0;      ///< of joining
+  std::uint64_t unattached = 0;  ///< in the windows' tables, as often as they are there
 };
 
 /// The labels of the nodes that windows handed on.

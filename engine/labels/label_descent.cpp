@@ -38,9 +38,7 @@ class LevelDescent {
           throw IoError("the scratch file " + attachments_file(joined) +
                         " is too short; check the disk and run again");
         }
-        for (const Attachment& at : batch) {
-          out_.append(at.is_attached && above.is_inside(at.node) != at.is_opposite);
-        }
+        for (const Attachment& at : batch) out_.append(above.label(at));
         context_.progress.advance(batch.size());
         rest -= batch.size();
       }
@@ -58,7 +56,7 @@ class LevelDescent {
 std::unique_ptr<const LabelFile> whole(const EvidencePart& part, const StageContext& context) {
   auto labels = std::make_unique<LabelFile>("labels_whole", 1, context);
   labels->begin_table(part.nodes);
-  for (std::uint64_t node = 0; node < part.nodes; ++node) labels->append(false);
+  for (std::uint64_t node = 0; node < part.nodes; ++node) labels->append(NodeLabel::kOutside);
   labels->finish();
   return labels;
 }

@@ -1,8 +1,9 @@
 // Labels on their way down: from the one part that is the whole to the windows.
 //
 // Guarantees: a node's label is that of the border node it hangs on, turned by the sign; nodes that
-// hang on nothing are outside. Thread rule: one thread. Memory, reserved: a bit a node of a joined
-// part, two label files, a cursor. Scratch: files of attachments go as they have been read.
+// hang on nothing, or on such a node, are unattached. Thread rule: one thread. Memory, reserved: 2
+// bits a node of a joined part, two label files, a cursor. Scratch: files of attachments go as they
+// have been read.
 #pragma once
 
 #include <cstddef>

@@ -30,10 +30,11 @@ void LabelFile::begin_table(std::uint64_t nodes) {
   appended_ = 0;
 }
 
-void LabelFile::append(bool is_inside) {
-  word_ |= std::uint64_t{is_inside} << appended_ % 64;
+void LabelFile::append(NodeLabel label) {
+  if (label == NodeLabel::kUnattached) ++unattached_;
+  word_ |= static_cast<std::uint64_t>(label) << appended_ % NodeLabels::kNodesAWord * 2;
   ++appended_;
-  if (appended_ % 64 == 0 || appended_ == tables_.back().nodes) {
+  if (appended_ % NodeLabels::kNodesAWord == 0 || appended_ == tables_.back().nodes) {
     writer_->append(word_);
     word_ = 0;
   }

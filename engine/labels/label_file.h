@@ -31,13 +31,14 @@ class LabelFile {
   /// Begins the next table.
   void begin_table(std::uint64_t nodes);
   /// Its next node's. \throw IoError
-  void append(bool is_inside);
+  void append(NodeLabel label);
   /// No more tables. \pre Every table has all its labels \throw IoError
   void finish();
 
   /// \pre finish() \throw IoError, BudgetError
   NodeLabels labels(std::uint64_t table) const;
-  std::uint64_t nodes(std::uint64_t table) const { return tables_[table].nodes; }
+  /// Of all tables.
+  std::uint64_t unattached() const { return unattached_; }
 
  private:
   static constexpr std::size_t kBlock = std::size_t{32} << 10;
@@ -53,7 +54,8 @@ class LabelFile {
   Reservation memory_;
   std::vector<Table> tables_;
   std::uint64_t appended_ = 0;  ///< labels of the last table
-  std::uint64_t word_ = 0;      ///< those that are not written yet
+  std::uint64_t unattached_ = 0;
+  std::uint64_t word_ = 0;  ///< those that are not written yet
   std::optional<RecordWriter<std::uint64_t>> writer_;
   std::optional<RecordFile<std::uint64_t>> file_;
 };

@@ -39,7 +39,6 @@ class PartJoin {
     const NodeSet border = join_nodes();
     const auto attachments = join_edges(border);
     write_attachments(border, attachments);
-    joined_.unattached = count_unattached(attachments);
     return std::move(joined_);
   }
 

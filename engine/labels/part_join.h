@@ -19,7 +19,6 @@ namespace stream_recon {
 struct JoinedParts {
   EvidencePart part;             ///< its files are named as asked
   std::uint64_t contracted = 0;  ///< nodes that are in no part any more
-  std::uint64_t unattached = 0;  ///< of these: no evidence leads from them to a border
 };
 
 /// Where the attachments of the nodes of all parts lie, one part after the other: positions in the

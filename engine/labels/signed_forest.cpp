@@ -1,5 +1,6 @@
 #include "engine/labels/signed_forest.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <utility>
@@ -101,7 +102,9 @@ Contraction contract(const NodeSet& border, std::vector<EvidenceEdge> edges) {
   }
   edges.resize(kept);
   Contraction result{.attachments = std::move(forest).attachments(), .edges = std::move(edges)};
-  result.unattached = count_unattached(result.attachments);
+  result.unattached = static_cast<std::uint64_t>(
+      std::count_if(result.attachments.begin(), result.attachments.end(),
+                    [](const Attachment& at) { return !at.is_attached; }));
   return result;
 }
 

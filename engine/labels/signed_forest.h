@@ -52,7 +52,7 @@ class SignedForest {
 struct Contraction {
   std::vector<Attachment> attachments;  ///< of every node
   std::vector<EvidenceEdge> edges;      ///< between border nodes, in their order
-  std::uint64_t unattached = 0;         ///< nodes that hang on nothing: outside by convention
+  std::uint64_t unattached = 0;         ///< nodes that hang on nothing
 };
 
 /// All at once, from edges in any order, whose memory is used again for the result.
