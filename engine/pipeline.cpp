@@ -154,9 +154,10 @@ class Pipeline {
 
   void measure_spacings(const CloudSummary& cloud, const CloudIndex& index) const {
     if (index.point_count > kMostSolidPoints) {
-      throw InputError(fmt::format("{} points are more than the {} that --surface solid can label; "
-                                   "use --surface gamma or split the cloud",
-                                   index.point_count, kMostSolidPoints));
+      throw InputError(
+          fmt::format("{} points are more than the {} that --surface solid can label; "
+                      "use --surface gamma or split the cloud",
+                      index.point_count, kMostSolidPoints));
     }
     measure_spacing(index, options_.grid_spacing ? options_.grid_spacing : cloud.spacing, context_);
   }
@@ -171,8 +172,8 @@ class Pipeline {
     Reservation cache;
     WindowStageOptions stage{.threads = report_.threads, .window_points = options_.window_points};
     if (is_solid()) {
-      const std::uint64_t bytes = SpacingCache::memory(index.point_count, report_.threads,
-                                                       context_.budget.available());
+      const std::uint64_t bytes =
+          SpacingCache::memory(index.point_count, report_.threads, context_.budget.available());
       cache = context_.budget.reserve(bytes, "the spacings of points");
       spacings.emplace(context_.scratch, index, bytes);
       evidence.emplace(*spacings, context_.stop);

@@ -90,8 +90,7 @@ class Collection {
 
   void export_facet(CellId cell, int side) {
     const Attachment inner = contraction_.attachments[cell];
-    const Attachment outer =
-        contraction_.attachments[evidence_.node(cells_.neighbor(cell, side))];
+    const Attachment outer = contraction_.attachments[evidence_.node(cells_.neighbor(cell, side))];
     if (inner == outer) return;
     const RankedFacet facet(window_, cells_.facet(cell, side));
     const FacetBalls balls = evidence_.balls(facet, cell, side);
@@ -151,8 +150,7 @@ std::uint64_t EvidenceCollector::memory(const FinalWindow& window) const {
     const auto v = cells.vertices(cell);
     border += has_owned(window, v) && is_shared(window, v) ? 1 : 0;
   }
-  const std::uint64_t beside_entries =
-      border * (sizeof(NodeKey)) + evidence_export_memory(border);
+  const std::uint64_t beside_entries = border * (sizeof(NodeKey)) + evidence_export_memory(border);
   return SpacingReader::kMemory + window.delaunay().vertex_count() * sizeof(float) +
          NodeSet::memory(cells.slots()) + SignedForest::memory(cells.slots()) +
          border * sizeof(EvidenceEdge) +

@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::uint64_t kWindowMemory = ExportWriter::memory() + (std::uint64_t{1} << 20);
 
-bool is_inside(const NodeLabels& labels, const Attachment& node) {
-  return node.is_attached && labels.is_inside(node.node) != node.is_opposite;
-}
-
 FacetRecord facet_of(const CandidateFacet& candidate, Facing facing) {
   return {.ranks = {candidate.ranks[0], candidate.ranks[1], candidate.ranks[2]},
           .delta = candidate.delta,
@@ -36,11 +32,12 @@ class FacetLabels {
     const auto first_ranks = windows_.chunks(ExportKind::kCandidates);
     context_.progress.begin_stage("labels", first_ranks.size(), "windows");
     const std::uint64_t bytes = kWindowMemory + ExportReader::read_memory();
-    for_each_chunk({.chunks = first_ranks.size(),
-                    .at_once = chunks_at_once(bytes, context_.budget),
-                    .takes_in_order = false},
-                   [&](std::uint64_t i) { return label_window(first_ranks[i]); },
-                   [this](std::uint64_t, const FacetLabelCounts& counts) { take(counts); });
+    for_each_chunk(
+        {.chunks = first_ranks.size(),
+         .at_once = chunks_at_once(bytes, context_.budget),
+         .takes_in_order = false},
+        [&](std::uint64_t i) { return label_window(first_ranks[i]); },
+        [this](std::uint64_t, const FacetLabelCounts& counts) { take(counts); });
     context_.progress.end_stage();
     return counts_;
   }
@@ -56,8 +53,8 @@ class FacetLabels {
     const auto visit = [&](std::span<const CandidateFacet> candidates) {
       facets.clear();
       for (const CandidateFacet& candidate : candidates) {
-        const bool behind = is_inside(labels, candidate.behind);
-        const bool before = is_inside(labels, candidate.before);
+        const bool behind = labels.label(candidate.behind) == NodeLabel::kInside;
+        const bool before = labels.label(candidate.before) == NodeLabel::kInside;
         if (candidate.is_pole_pair()) {
           counts.conflicts += behind == before ? 1 : 0;
         } else if (behind != before) {

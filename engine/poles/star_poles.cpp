@@ -129,10 +129,9 @@ PolePair StarPoles::pair(VertexId v) const {
   if (!result.is_complete()) return result;
   const double lengths = std::sqrt(sample.second_square) * length(sample.direction);
   result.balls.cosine = -sample.second_along / lengths;
-  result.balls.radius =
-      std::sqrt(sample.first == PolePair::kInfinity
-                    ? sample.second_square
-                    : std::min(sample.first_square, sample.second_square));
+  result.balls.radius = std::sqrt(sample.first == PolePair::kInfinity
+                                      ? sample.second_square
+                                      : std::min(sample.first_square, sample.second_square));
   return result;
 }
 

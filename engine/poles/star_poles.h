@@ -3,11 +3,11 @@
 //
 // The first pole is the circumcentre of the star that is farthest from the sample, for a sample of
 // the hull the point at infinity in the mean direction of its hull facets; the second is the
-// farthest of those in the half-space away from the first. Guarantees: a function of the star alone,
-// bit for bit: tetrahedra go in by rank, of equally far ones the one of the lowest ranks is taken,
-// and normals are added as whole numbers. Thread rule: made by one thread, then const. Memory:
-// memory(). Cost: about 100 ns a tetrahedron.
-// Source: Amenta, Bern, Surface Reconstruction by Voronoi Filtering, 1999, section 4.
+// farthest of those in the half-space away from the first. Guarantees: a function of the star
+// alone, bit for bit: tetrahedra go in by rank, of equally far ones the one of the lowest ranks is
+// taken, and normals are added as whole numbers. Thread rule: made by one thread, then const.
+// Memory: memory(). Cost: about 100 ns a tetrahedron. Source: Amenta, Bern, Surface Reconstruction
+// by Voronoi Filtering, 1999, section 4.
 #pragma once
 
 #include <cstdint>

@@ -30,8 +30,7 @@ class SpacingCache {
   static std::uint64_t least_memory(unsigned readers);
   static std::uint64_t most_memory(std::uint64_t point_count);
   /// What to give it of the memory that is available: a twenty-fourth, within these bounds.
-  static std::uint64_t memory(std::uint64_t point_count, unsigned readers,
-                              std::uint64_t available);
+  static std::uint64_t memory(std::uint64_t point_count, unsigned readers, std::uint64_t available);
 
   /// Of what measure_spacing() wrote for the index. \throw IoError
   SpacingCache(const ScratchDirectory& scratch, const CloudIndex& index, std::uint64_t memory);

@@ -3,10 +3,10 @@
 //
 // Guarantees: after build() returned kDone, no point of the cloud is in conflict with a cell that
 // the window emits or a facet of which it emits, and no point later on the curve with another cell
-// that has an owned vertex, or no point at all where whole stars are asked for. That is what FinalWindow promises (docs/algorithms/windows.md).
-// Thread rule: one thread. Memory: what build() is told, about 500 bytes an owned point, besides
-// fixed_memory(). Cost: about twice the triangulation of the owned points alone.
-// Source: docs/algorithms/windows.md
+// that has an owned vertex, or no point at all where whole stars are asked for. That is what
+// FinalWindow promises (docs/algorithms/windows.md). Thread rule: one thread. Memory: what build()
+// is told, about 500 bytes an owned point, besides fixed_memory(). Cost: about twice the
+// triangulation of the owned points alone. Source: docs/algorithms/windows.md
 #pragma once
 
 #include <cstdint>

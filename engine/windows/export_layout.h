@@ -61,8 +61,7 @@ inline constexpr std::string_view kExportPrefix = "window_";
 /// What later stages make of them has names of its own.
 inline constexpr std::string_view kLabelledPrefix = "labelled_";
 
-inline std::string export_name(std::uint64_t first_rank,
-                               std::string_view prefix = kExportPrefix) {
+inline std::string export_name(std::uint64_t first_rank, std::string_view prefix = kExportPrefix) {
   return std::string(prefix) + std::to_string(first_rank);
 }
 
