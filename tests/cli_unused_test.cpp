@@ -30,7 +30,7 @@ TEST(Unused, AndTheVerticesAreTheInputBitForBit) {
   ASSERT_EQ(folder.run("make-cloud folded -n 9000 --scalar float -o a.ply").exit_code, 0);
   // Noise inside the body, on no regular triangle, and a point twice.
   ASSERT_EQ(folder.run("make-cloud cube -n 3000 --scalar float -o b.ply").exit_code, 0);
-  const std::string run = "stream-recon a.ply b.ply a.ply --surface alpha --alpha 0.02 ";
+  std::string run = "stream-recon a.ply b.ply a.ply --surface alpha --alpha 0.02 ";
   const Outcome outcome =
       folder.run(run + "-o s.ply --unused u.ply --report r.json --chunk-points 700");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -47,10 +47,11 @@ TEST(Unused, AndTheVerticesAreTheInputBitForBit) {
   EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
   EXPECT_EQ(report["surface"]["samples_on_surface"], report["surface"]["vertices"]);
 
+  run += "--unused n.ply ";
   for (const std::string options :
        {"-o n.pvtp --threads 1", "-o n.pvtp --threads 4 --chunk-points 700",
         "-o n.vtk --memory 80M --chunk-points 50"}) {
-    const Outcome next = folder.run(run + "--unused n.ply " + options);
+    const Outcome next = folder.run(run + options);
     ASSERT_EQ(next.exit_code, 0) << next.error;
     EXPECT_EQ(folder.bytes("n.ply") == folder.bytes("u.ply"), true) << options;
   }

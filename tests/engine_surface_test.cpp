@@ -49,6 +49,7 @@ Assembled assemble(const std::vector<Ranks>& facets, const ChunkLayout& layout, 
   store.finish();
 
   std::vector<FacetRecord> records;
+  records.reserve(facets.size());
   for (const Ranks& ranks : facets) {
     records.push_back({ranks, static_cast<float>(ranks[0] % 90), TriangleSource::kGamma});
   }
