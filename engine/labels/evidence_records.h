@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -18,7 +17,8 @@ namespace stream_recon {
 struct NodeKey {
   std::array<std::uint32_t, 4> ranks{};  ///< ascending
 
-  friend auto operator<=>(const NodeKey&, const NodeKey&) = default;
+  friend bool operator==(const NodeKey&, const NodeKey&) = default;
+  friend bool operator<(const NodeKey& a, const NodeKey& b) { return a.ranks < b.ranks; }
 };
 
 /// Comes last of all keys.
