@@ -35,7 +35,7 @@ struct RunOptions {
   std::vector<std::string> inputs;  ///< files, read one after the other; "-" is standard input
   InputFormat input_format = InputFormat::kAuto;
 
-  SurfaceKind surface = SurfaceKind::kGamma;
+  SurfaceKind surface = SurfaceKind::kSolid;
   double delta_max_degrees = 90;  ///< gamma: facets below this angle, (0, 180]
   double alpha = 0;               ///< alpha: radius > 0, units of the input
   /// solid: facets beyond the gamma shape are left out where their circumradius is more than this

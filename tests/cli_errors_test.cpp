@@ -55,7 +55,6 @@ TEST_F(Refusals, OfUsageAre64) {
       {"cube.ply -o out.pvtp --surface klein", 64, "--surface"},
       {"cube.ply -o out.pvtp --surface crust", 64, "not yet"},
       {"cube.ply -o out.pvtp --surface hybrid", 64, "not yet"},
-      {"cube.ply -o out.pvtp --surface solid", 64, "not available yet"},
       {"cube.ply -o out.pvtp --tetrahedra t.vtu", 64, "must end in .pvtu"},
       {"cube.ply -o out.pvtp --tetrahedra out.pvtu", 64, "one folder"},
       {"cube.ply -o ./out.pvtp --tetrahedra out.pvtu", 64, "one folder"},
@@ -68,16 +67,14 @@ TEST_F(Refusals, OfUsageAre64) {
       {"cube.ply -o out.pvtp --tetrahedra t.pvtu --unused t/u.ply", 64, "one place"},
       {"cube.ply --surface none --unused u.ply", 64, "no triangles"},
       {"cube.ply -o out.pvtp --unused r.ply --report r.ply", 64, "--unused"},
-      {"cube.ply -o out.pvtp --open 4", 64, "--surface solid"},
-      {"cube.ply -o out.pvtp --spacing 1,1,2", 64, "--surface solid"},
+      {"cube.ply -o out.pvtp --surface gamma --open 4", 64, "--surface solid"},
+      {"cube.ply -o out.pvtp --surface gamma --spacing 1,1,2", 64, "--surface solid"},
       {"cube.ply -o out.pvtp --surface solid --open 0", 64, "--open"},
       {"cube.ply -o out.pvtp --surface solid --open nan", 64, "--open"},
       {"cube.ply -o out.pvtp --surface solid --spacing 1,1", 64, "--spacing"},
       {"cube.ply -o out.pvtp --surface solid --spacing 0", 64, "--spacing"},
       {"cube.ply -o out.pvtp --surface solid --spacing 1,x,1", 64, "--spacing"},
       {"cube.ply -o out.pvtp --surface solid --spacing 1,1,-2", 64, "--spacing"},
-      {"cube.ply -o out.pvtp --surface solid --spacing 1,1,2", 64, "not available yet"},
-      {"cube.ply -o out.pvtp --surface solid --spacing 0.5 --open 4", 64, "not available yet"},
       {"cube.ply --tetrahedra t.pvtu", 64, "-o OUT.pvtp"},
       {"cube.ply -o out.pvtp --medial-axis m.pvtp", 64, "not yet"},
       {"cube.ply -o out.pvtp --surface alpha", 64, "--alpha R"},
@@ -121,7 +118,8 @@ TEST_F(Refusals, OfTooLittleMemoryAre69WithTheLeastThatWouldDo) {
   expect_refused({"cube.ply -o out.pvtp --memory 10M", 69, "--memory 64M or more"});
   // Every facet of the cloud in one chunk.
   ASSERT_EQ(folder_.run("make-cloud folded -n 100000 -o big.ply").exit_code, 0);
-  const std::string late = "stream-recon big.ply -o out.pvtp --delta-max 180 --memory ";
+  const std::string late =
+      "stream-recon big.ply -o out.pvtp --surface gamma --delta-max 180 --memory ";
   const Outcome outcome = folder_.run(late + "64M");
   EXPECT_EQ(outcome.exit_code, 69);
   EXPECT_THAT(outcome.error, HasSubstr("or more"));

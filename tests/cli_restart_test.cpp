@@ -86,9 +86,9 @@ TEST_F(CliRestart, AFullDiskAtTheEndLosesNothing) {
 TEST_F(CliRestart, WithAnotherInputOrOptionIsRefusedInOneLine) {
   ASSERT_EQ(stop("KILL", "big.ply").exit_code, 128 + 9);
   const std::string again = std::string("stream-recon big.ply -o out.ply --resume") + kOptions;
-  const Outcome option = folder_.run(again + "--delta-max 80");
+  const Outcome option = folder_.run(again + "--open 4");
   EXPECT_EQ(option.exit_code, 64);
-  EXPECT_THAT(option.error, HasSubstr("cannot resume: --delta-max: 90 then, 80 now"));
+  EXPECT_THAT(option.error, HasSubstr("cannot resume: --open: nothing then, 4 now"));
   EXPECT_EQ(folder_.run("make-cloud folded -n 80001 -o big.ply").exit_code, 0);
   const Outcome input = folder_.run(again);
   EXPECT_EQ(input.exit_code, 65);

@@ -26,7 +26,7 @@ if(STREAM_RECON_TOOLS)
   find_package(PNG REQUIRED)
   stream_recon_test(cli_test
     SOURCES cli_check_test.cpp cli_errors_test.cpp cli_html_test.cpp cli_pipe_test.cpp
-      cli_restart_test.cpp cli_results_test.cpp cli_tetrahedra_test.cpp
+      cli_restart_test.cpp cli_results_test.cpp cli_solid_test.cpp cli_tetrahedra_test.cpp
       cli_unused_test.cpp
     LIBRARIES stream_recon::io GTest::gmock)
   add_dependencies(cli_test stream-recon make-cloud mesh-check)

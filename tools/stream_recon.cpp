@@ -26,7 +26,7 @@ enum ExitCode { kDone = 0, kNoMemory = 69, kResumable = 75, kInterrupted = 130 }
 /// What the command line says, beside what the engine takes as it is.
 struct CommandLine {
   RunOptions run;
-  std::string surface = "gamma";
+  std::string surface = "solid";
   std::string report;
   std::string html;
   std::string medial_axis;
@@ -71,7 +71,7 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
          "-o,--output", line.run.output,
          "OUT.pvtp with a folder of chunks, OUT.ply or OUT.vtk, or - for PLY on standard output")
       ->option_text("OUT");
-  app.add_option("--surface", line.surface, "gamma (default), alpha, solid or none")
+  app.add_option("--surface", line.surface, "solid (default), gamma, alpha or none")
       ->check(CLI::IsMember({"gamma", "alpha", "none", "crust", "hybrid", "solid"}))
       ->option_text("KIND");
   app.add_option("--delta-max", line.run.delta_max_degrees,
@@ -150,7 +150,7 @@ void refuse_what_is_not_yet(const CommandLine& line) {
   };
   if (line.surface != "gamma" && line.surface != "alpha" && line.surface != "solid" &&
       line.surface != "none") {
-    refuse("--surface " + line.surface, "use gamma, alpha or none");
+    refuse("--surface " + line.surface, "use solid, gamma, alpha or none");
   }
   if (!line.medial_axis.empty()) refuse("--medial-axis", "leave it out");
 }
