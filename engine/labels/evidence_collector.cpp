@@ -69,11 +69,7 @@ class Collection {
 
   void contract() {
     SignedForest forest(border_);
-    contraction_.edges.reserve(border_.count());
-    evidence_.visit_edges([&](const EvidenceEdge& edge) {
-      if (const auto left = forest.add(edge)) contraction_.edges.push_back(*left);
-    });
-    evidence_.drop_edges();
+    contraction_.edges = evidence_.contract(forest, border_.count());
     contraction_.attachments = std::move(forest).attachments();
   }
 
@@ -145,16 +141,19 @@ void EvidenceCollector::consume(const FinalWindow& window, ExportWriter& out) {
 std::uint64_t EvidenceCollector::memory(const FinalWindow& window) const {
   const CellView cells = window.delaunay().view();
   std::uint64_t border = 1;
+  std::uint64_t with_owned = 0;
   for (CellId cell = 0; cell < cells.slots(); ++cell) {
-    if (!cells.is_live(cell) || cells.is_infinite(cell)) continue;
+    if (!cells.is_live(cell)) continue;
     const auto v = cells.vertices(cell);
-    border += has_owned(window, v) && is_shared(window, v) ? 1 : 0;
+    if (!has_owned(window, v)) continue;
+    ++with_owned;
+    border += is_shared(window, v) ? 1 : 0;
   }
   const std::uint64_t beside_entries = border * (sizeof(NodeKey)) + evidence_export_memory(border);
   return SpacingReader::kMemory + window.delaunay().vertex_count() * sizeof(float) +
          NodeSet::memory(cells.slots()) + SignedForest::memory(cells.slots()) +
          border * sizeof(EvidenceEdge) +
-         std::max(WindowEvidence::memory(cells.slots(), window.owned_count()), beside_entries);
+         std::max(WindowEvidence::memory(with_owned, window.owned_count()), beside_entries);
 }
 
 }  // namespace stream_recon

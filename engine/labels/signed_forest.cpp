@@ -51,9 +51,8 @@ std::uint32_t SignedForest::find_component(std::uint32_t border) {
 }
 
 std::optional<EvidenceEdge> SignedForest::add(const EvidenceEdge& edge) {
-  assert(!has_last_ || comes_before(last_, edge));
-  last_ = edge;
-  has_last_ = true;
+  assert(edge.weight <= last_weight_);
+  last_weight_ = edge.weight;
   Attachment top_a = find_top(edge.a);
   Attachment top_b = find_top(edge.b);
   const bool is_opposite = edge.is_opposite != (top_a.is_opposite != top_b.is_opposite);

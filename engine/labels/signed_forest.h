@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,8 +29,9 @@ class SignedForest {
   /// Bytes for `nodes` nodes.
   static constexpr std::uint64_t memory(std::uint64_t nodes) { return nodes * sizeof(Attachment); }
 
-  /// Takes an edge, no earlier than those that come before it. \return What is left of it for the
-  /// whole: an edge between border nodes, with the same weight and tie, or nothing
+  /// Takes an edge, no earlier than those that come before it; its tie is only passed on. \return
+  /// What is left of it for the whole: an edge between border nodes, with the same weight and tie,
+  /// or nothing
   std::optional<EvidenceEdge> add(const EvidenceEdge& edge);
 
   /// What every node hangs on. \pre No more edges; called once
@@ -44,8 +46,7 @@ class SignedForest {
   /// Of a border node, marked as attached: another one of its component, or itself. Of a private
   /// node: what it hangs on; itself if it stands for its component.
   std::vector<Attachment> links_;
-  EvidenceEdge last_;
-  bool has_last_ = false;
+  float last_weight_ = std::numeric_limits<float>::infinity();
 };
 
 /// A part as the whole sees it.

@@ -23,9 +23,19 @@ WindowEvidence::WindowEvidence(const FinalWindow& window, std::span<const float>
       poles_(window),
       first_pair_name_(~(window.owned_count() - 1)) {
   assert(4 * std::uint64_t{cells_.slots()} < first_pair_name_);
-  entries_.reserve(2 * std::size_t{cells_.slots()} + window.owned_count());
+  entries_.reserve(most_edges(count_cells(), window.owned_count()));
   add_facets();
   add_poles();
+}
+
+std::uint64_t WindowEvidence::count_cells() const {
+  std::uint64_t count = 0;
+  for (CellId cell = 0; cell < cells_.slots(); ++cell) {
+    if (!cells_.is_live(cell)) continue;
+    const auto v = cells_.vertices(cell);
+    count += window_.owns_vertex(std::min(std::min(v[0], v[1]), std::min(v[2], v[3]))) ? 1 : 0;
+  }
+  return count;
 }
 
 void WindowEvidence::add_facets() {
@@ -71,7 +81,7 @@ std::array<std::uint32_t, 3> WindowEvidence::tie(std::uint32_t name) const {
 }
 
 EvidenceEdge WindowEvidence::edge(const Entry& entry) const {
-  EvidenceEdge edge{.weight = std::bit_cast<float>(entry.key), .tie = tie(entry.name)};
+  EvidenceEdge edge{.weight = std::bit_cast<float>(entry.key)};
   if (is_pole_pair(entry.name)) {
     const PolePair pair = poles_.pair(sample_of(entry.name));
     edge.a = pair.first == PolePair::kInfinity ? infinite_node() : pair.first;
@@ -83,6 +93,22 @@ EvidenceEdge WindowEvidence::edge(const Entry& entry) const {
     edge.b = node(cells_.neighbor(cell, static_cast<int>(entry.name % 4)));
   }
   return edge;
+}
+
+// Few edges are left, and only they need a tie.
+std::vector<EvidenceEdge> WindowEvidence::contract(SignedForest& forest,
+                                                   std::uint64_t border_nodes) {
+  sort();
+  std::vector<EvidenceEdge> edges;
+  edges.reserve(border_nodes);
+  for (const Entry& entry : entries_) {
+    auto left = forest.add(edge(entry));
+    if (!left) continue;
+    left->tie = tie(entry.name);
+    edges.push_back(*left);
+  }
+  entries_ = {};
+  return edges;
 }
 
 // On lattices most edges have one of a few weights. So equal ones are sorted by the first rank of
@@ -99,7 +125,11 @@ void WindowEvidence::sort() {
     const std::size_t end = end_of_run(begin);
     const std::uint32_t key = entries_[begin].key;
     const std::span run(entries_.data() + begin, end - begin);
-    if (run.size() > 1) {
+    constexpr std::size_t kFew = 8;
+    if (run.size() > 1 && run.size() <= kFew) {
+      std::sort(run.begin(), run.end(),
+                [this](const Entry& x, const Entry& y) { return tie(x.name) < tie(y.name); });
+    } else if (run.size() > kFew) {
       for (Entry& entry : run) entry.key = tie(entry.name)[0];
       std::sort(run.begin(), run.end(), [this](const Entry& x, const Entry& y) {
         return x.key != y.key ? x.key < y.key : tie(x.name) < tie(y.name);

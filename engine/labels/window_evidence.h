@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/labels/evidence_records.h"
+#include "engine/labels/signed_forest.h"
 #include "engine/poles/star_poles.h"
 #include "engine/surface/ranked_facet.h"
 #include "engine/windows/final_window.h"
@@ -24,20 +25,14 @@ class WindowEvidence {
   /// \param spacing of every vertex, units of the input; outlives the evidence
   WindowEvidence(const FinalWindow& window, std::span<const float> spacing);
 
-  /// For so many cell slots and owned points.
-  static constexpr std::uint64_t memory(std::uint64_t slots, std::uint64_t owned) {
-    return 2 * slots * sizeof(Entry) + owned * sizeof(Entry) + StarPoles::memory(owned);
+  /// For so many cells with an owned vertex, and owned points.
+  static constexpr std::uint64_t memory(std::uint64_t cells, std::uint64_t owned) {
+    return most_edges(cells, owned) * sizeof(Entry) + StarPoles::memory(owned);
   }
 
-  /// Calls visit(edge) for all edges in the order of the forest. Called once.
-  template <class Visit>
-  void visit_edges(const Visit& visit) {
-    sort();
-    for (const Entry& entry : entries_) visit(edge(entry));
-  }
-
-  /// Gives their memory back; the poles stay.
-  void drop_edges() { entries_ = {}; }
+  /// The forest of all edges. \return what is left of them for other windows, in order; no more
+  /// than there are border nodes. Called once.
+  std::vector<EvidenceEdge> contract(SignedForest& forest, std::uint64_t border_nodes);
 
   std::uint32_t infinite_node() const { return cells_.slots(); }
   std::uint32_t node(CellId cell) const {
@@ -57,12 +52,18 @@ class WindowEvidence {
     std::uint32_t name;
   };
 
+  /// Both cells of a facet have an owned vertex.
+  static constexpr std::uint64_t most_edges(std::uint64_t cells, std::uint64_t owned) {
+    return 2 * cells + owned;
+  }
+  std::uint64_t count_cells() const;
   void add_facets();
   void add_poles();
   void sort();
   bool is_pole_pair(std::uint32_t name) const { return name >= first_pair_name_; }
   VertexId sample_of(std::uint32_t name) const { return ~name; }
   std::array<std::uint32_t, 3> tie(std::uint32_t name) const;
+  /// Without its tie.
   EvidenceEdge edge(const Entry& entry) const;
 
   const FinalWindow& window_;
