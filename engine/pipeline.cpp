@@ -95,7 +95,10 @@ class Pipeline {
   /// Made before the work, so that a name that cannot be written is found out early.
   std::unique_ptr<SurfaceWriter> make_writer(const CloudSummary& cloud) const {
     if (options_.surface == SurfaceKind::kNone) return nullptr;
-    return make_surface_writer({options_.output, scalar_of(cloud), &context_.scratch});
+    return make_surface_writer({.path = options_.output,
+                                .coordinates = scalar_of(cloud),
+                                .scratch = &context_.scratch,
+                                .has_sheets = options_.manifold});
   }
   std::unique_ptr<TetrahedraWriter> make_tetrahedra_writer(const CloudSummary& cloud) const {
     if (options_.tetrahedra.empty()) return nullptr;
@@ -131,7 +134,7 @@ class Pipeline {
   }
 
   void build_surface(const ExportedFacets& facets, SurfaceWriter& writer) {
-    const SurfaceCounts counts = assemble_surface(facets, writer, context_);
+    const SurfaceCounts counts = assemble_surface(facets, writer, context_, {.splits = options_.manifold});
     report_.surface.vertices = counts.vertices;
     report_.surface.triangles = counts.triangles;
     report_.surface.boundary_edges = counts.boundary_edges;

@@ -37,6 +37,9 @@ struct RunOptions {
   double delta_max_degrees = 90;  ///< gamma: facets below this angle, (0, 180]
   double alpha = 0;               ///< alpha: radius > 0, units of the input
 
+  /// Split the surface where it touches itself, so that it is a manifold. Needs a closed surface.
+  bool manifold = false;
+
   /// Ends in .pvtp, .ply or .vtk, or is "-" for PLY on standard output; not used for kNone.
   std::string output;
   /// Also writes all finite Delaunay tetrahedra; ends in .pvtu, empty for none. Neither this output

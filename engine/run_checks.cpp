@@ -67,6 +67,11 @@ void check_thresholds(const RunOptions& options) {
           "--surface alpha needs --alpha R, a radius above 0 in the units of the input");
 }
 
+/// Whether the surface has an inside, so that each triangle is known to face away from it.
+bool is_closed(SurfaceKind /*kind*/) {
+  return false;
+}
+
 }  // namespace
 
 void check_options(const RunOptions& options) {
@@ -76,6 +81,10 @@ void check_options(const RunOptions& options) {
   check_output(options);
   check_tetrahedra(options);
   check_thresholds(options);
+  require(!options.manifold || is_closed(options.surface),
+          fmt::format("--manifold splits surfaces that have an inside, and --surface {} has none; "
+                      "leave --manifold out",
+                      kind_name(options.surface)));
   require(options.chunk_points >= 1, "--chunk-points 0: give 1 or more");
 }
 

@@ -22,13 +22,14 @@ class PvtpWriter final : public SurfaceWriter {
  public:
   explicit PvtpWriter(const SurfaceWriterOptions& options)
       : scalar_(options.coordinates),
+        has_sheets_(options.has_sheets),
         output_({.index = options.path, .index_ending = ".pvtp", .chunk_ending = ".vtp"}) {}
 
   bool takes_chunks_in_order() const override { return false; }
 
   void write(std::uint64_t number, const SurfaceChunk& chunk) override {
     File file = output_.create_chunk(number);
-    VtpWriter(scalar_).write(chunk, file);
+    VtpWriter(scalar_, has_sheets_).write(chunk, file);
     bytes_written_ += file.position();
     file.close();
   }
@@ -41,6 +42,7 @@ class PvtpWriter final : public SurfaceWriter {
     const std::string text = index_text({.type = "PolyData",
                                          .cell_data = kCellData,
                                          .scalar = scalar_,
+                                         .has_sheets = has_sheets_,
                                          .pieces = output_.chunk_paths()});
     output_.prepare(text);
     bytes_written_ += text.size();
@@ -52,6 +54,7 @@ class PvtpWriter final : public SurfaceWriter {
   }
 
   Scalar scalar_;
+  bool has_sheets_;
   ChunkedOutput output_;
   std::atomic<std::uint64_t> bytes_written_ = 0;
 };

@@ -26,6 +26,9 @@ enum class TriangleSource : std::uint8_t { kGamma = 0, kAlpha = 1 };
 struct SurfaceChunk {
   std::vector<Point3> points;             ///< bit-equal to the input
   std::vector<std::uint64_t> global_ids;  ///< input index of each point
+  /// Of a surface that is split into sheets: which sheet at that point; then points of one id stand
+  /// one after the other. Else empty.
+  std::vector<std::uint32_t> sheets;
   /// For writers that take chunks in order: position of each point in the vertex list of the whole
   /// surface, counted in the order of first appearance (chunk by chunk, then by position in the
   /// chunk): a point is new in this chunk iff its number is not below the count of vertices of all
@@ -44,6 +47,7 @@ struct SurfaceWriterOptions {
   /// Where single-file formats keep their parts until the counts are known; must outlive the
   /// writer. Not needed for .pvtp.
   ScratchDirectory* scratch = nullptr;
+  bool has_sheets = false;  ///< chunks have them: .pvtp tells of them
 };
 
 class SurfaceWriter {

@@ -20,6 +20,7 @@ struct Piece {
   std::vector<float> delta;
   std::vector<std::uint8_t> source;
   std::vector<std::uint64_t> global_ids;
+  std::vector<std::uint32_t> sheets;
 };
 
 bool is_wanted(const VtpArray& array) {
@@ -27,7 +28,7 @@ bool is_wanted(const VtpArray& array) {
     case VtpSection::kPoints:
       return true;
     case VtpSection::kPointData:
-      return array.name == "GlobalPointId";
+      return array.name == "GlobalPointId" || array.name == "Sheet";
     case VtpSection::kCellData:
       return array.name == "Delta" || array.name == "Source";
     case VtpSection::kPolys:
@@ -71,6 +72,8 @@ class MeshReader {
       read_integers(array, piece.offsets);
     } else if (array.name == "GlobalPointId") {
       read_integers(array, piece.global_ids);
+    } else if (array.name == "Sheet") {
+      read_values<std::uint32_t>(array, {ScalarType::kUint32, ScalarType::kInt32}, piece.sheets);
     } else if (array.name == "Delta") {
       read_values<float>(array, {ScalarType::kFloat32, ScalarType::kFloat32}, piece.delta);
     } else {
@@ -155,9 +158,11 @@ class MeshReader {
     append(piece.delta, counts.cells_before_polys, mesh.delta);
     append(piece.source, counts.cells_before_polys, mesh.source);
     append(piece.global_ids, 0, mesh.global_ids);
+    append(piece.sheets, 0, mesh.sheets);
     check_whole(mesh.delta.size(), mesh.triangles.size());
     check_whole(mesh.source.size(), mesh.triangles.size());
     check_whole(mesh.global_ids.size(), mesh.points.size());
+    check_whole(mesh.sheets.size(), mesh.points.size());
   }
 
   template <typename T>
@@ -192,7 +197,7 @@ VtpMeshSize read_vtp_mesh_size(const std::string& path) {
   VtpMeshSize size;
   std::size_t pieces = 0;
   const auto count = [&](const VtpArray& array) {
-    size.has_global_ids = size.has_global_ids || array.section == VtpSection::kPointData;
+    size.has_global_ids = size.has_global_ids || array.name == "GlobalPointId";
     if (array.piece.index < pieces) return;
     pieces = array.piece.index + 1;
     size.points += array.piece.points;

@@ -28,10 +28,16 @@ void add_cells(VtkXmlDocument& document, const SurfaceChunk& chunk) {
 
 }  // namespace
 
+std::optional<std::span<const std::uint32_t>> VtpWriter::sheets_of(
+    const SurfaceChunk& chunk) const {
+  if (!has_sheets_) return std::nullopt;
+  return std::span(chunk.sheets);
+}
+
 void VtpWriter::write(const SurfaceChunk& chunk, File& file) {
   VtkXmlDocument document("PolyData");
   document.add(piece_tag(chunk));
-  add_points(document, {chunk.points, chunk.global_ids, scalar_});
+  add_points(document, {chunk.points, chunk.global_ids, scalar_, sheets_of(chunk)});
   add_cells(document, chunk);
   document.add("</Piece>\n");
   document.write(blocks_, file);

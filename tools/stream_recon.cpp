@@ -58,6 +58,9 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
       ->option_text("DEG");
   app.add_option("--alpha", line.run.alpha, "alpha: radius of the ball, units of the input")
       ->option_text("R");
+  app.add_flag("--manifold", line.run.manifold,
+               "solid: split the surface where it touches itself, so that every edge has two "
+               "triangles and every vertex one fan of them");
   app.add_option("--tetrahedra", line.run.tetrahedra,
                  "Also the Delaunay tetrahedra: OUT.pvtu with a folder of chunks")
       ->option_text("OUT");

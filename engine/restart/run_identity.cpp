@@ -69,6 +69,7 @@ RunIdentity identity_of(const RunOptions& options) {
   if (options.surface == SurfaceKind::kAlpha) {
     identity["--alpha"] = fmt::format("{}", options.alpha);
   }
+  if (options.manifold) identity["--manifold"] = "given";
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     identity[fmt::format("input {}", i + 1)] = describe_input(options.inputs[i]);
   }

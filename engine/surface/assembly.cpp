@@ -6,6 +6,7 @@
 #include "engine/chunks/chunk_loop.h"
 #include "engine/chunks/chunk_numbers.h"
 #include "engine/surface/chunk_surface.h"
+#include "engine/surface/surface_sheets.h"
 #include "engine/surface/vertex_numbering.h"
 
 namespace stream_recon {
@@ -19,11 +20,13 @@ class SurfaceAssembly {
         context_(context),
         numbers_(surface.facets(), surface.layout().chunk_count(), context.budget) {}
 
-  SurfaceCounts run() {
+  SurfaceCounts run(const AssemblyOptions& options) {
     const bool is_ordered = writer_.takes_chunks_in_order();
+    std::optional<SurfaceSheets> sheets;
+    if (options.splits) sheets.emplace(surface_, context_);
     std::optional<VertexNumbering> numbering;
-    if (is_ordered) numbering.emplace(surface_, context_);
-    const ChunkSurfaceMaker maker(surface_, numbering ? &*numbering : nullptr, context_);
+    if (is_ordered) numbering.emplace(surface_, pointer_to(sheets), context_);
+    const ChunkSurfaceMaker maker({surface_, pointer_to(numbering), pointer_to(sheets)}, context_);
     context_.progress.begin_stage("surface", surface_.layout().point_count, "points");
     const std::uint64_t bytes = ChunkSurfaceMaker::typical_memory(numbers_.most_records());
     for_each_chunk(
@@ -33,10 +36,16 @@ class SurfaceAssembly {
         [&maker](std::uint64_t chunk) { return maker.make(chunk); },
         [this](std::uint64_t chunk, ChunkSurface made) { take(chunk, made); });
     context_.progress.end_stage();
+    if (sheets) sheets->correct(counts_);
     return counts_;
   }
 
  private:
+  template <class Part>
+  static const Part* pointer_to(const std::optional<Part>& part) {
+    return part ? &*part : nullptr;
+  }
+
   void take(std::uint64_t chunk, const ChunkSurface& made) {
     {
       const std::lock_guard lock(mutex_);
@@ -57,8 +66,8 @@ class SurfaceAssembly {
 }  // namespace
 
 SurfaceCounts assemble_surface(const ExportedFacets& surface, SurfaceWriter& writer,
-                               const StageContext& context) {
-  return SurfaceAssembly(surface, writer, context).run();
+                               const StageContext& context, const AssemblyOptions& options) {
+  return SurfaceAssembly(surface, writer, context).run(options);
 }
 
 }  // namespace stream_recon

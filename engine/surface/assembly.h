@@ -14,8 +14,14 @@
 
 namespace stream_recon {
 
+struct AssemblyOptions {
+  /// Split the surface into sheets (surface/surface_sheets.h), which makes it a manifold: the
+  /// writer gets vertices once for each sheet, with the sheets' numbers.
+  bool splits = false;
+};
+
 /// \throw IoError, BudgetError, Interrupted
 SurfaceCounts assemble_surface(const ExportedFacets& surface, SurfaceWriter& writer,
-                               const StageContext& context);
+                               const StageContext& context, const AssemblyOptions& options = {});
 
 }  // namespace stream_recon

@@ -7,6 +7,7 @@
 
 #include "engine/surface/edge_census.h"
 #include "engine/surface/orientation.h"
+#include "engine/surface/sheet_split.h"
 
 namespace stream_recon {
 namespace {
@@ -83,14 +84,18 @@ ChunkSurface ChunkSurfaceMaker::make(std::uint64_t chunk) const {
   {
     const auto uses = sorted_edge_uses(facets.triangles);
     count_edges(chunk, facets, uses, result.counts);
-    reversed = reversals(uses, facets.facing);
+    reversed = sheets_ != nullptr ? turned_outward(facets.facing) : reversals(uses, facets.facing);
   }
+  SplitFacets split;
+  if (sheets_ != nullptr) split = split_facets(*sheets_, chunk, context_.budget, facets);
   result.memory.resize(kFixedBytes + output_memory(triangles, facets.vertices.size(), is_numbered));
   take_triangles(facets, reversed, result.chunk);
   read_points(store_, facets.vertices, result.chunk.points, result.chunk.global_ids);
   if (is_numbered) {
-    result.chunk.vertex_numbers = numbering_->numbers_of(chunk, facets.vertices);
+    result.chunk.vertex_numbers =
+        numbering_->numbers_of(chunk, sheets_ != nullptr ? split.keys : facets.vertices);
   }
+  result.chunk.sheets = std::move(split.sheets);
   result.counts.digest = digest_of(result.chunk);
   result.counts.add_deltas(result.chunk.delta);
   return result;

@@ -14,24 +14,32 @@
 #include "engine/surface/chunk_facets.h"
 #include "engine/surface/facet_export.h"
 #include "engine/surface/surface_counts.h"
+#include "engine/surface/surface_sheets.h"
 #include "engine/surface/vertex_numbering.h"
 #include "io/surface_writer.h"
 
 namespace stream_recon {
 
 struct ChunkSurface {
-  Reservation memory;  ///< for the chunk, and for its writer
-  SurfaceChunk chunk;  ///< with vertex numbers if there is a numbering
-  SurfaceCounts counts;
+  Reservation memory;    ///< for the chunk, and for its writer
+  SurfaceChunk chunk;    ///< with vertex numbers if there is a numbering
+  SurfaceCounts counts;  ///< before it is split
 };
 
 class ChunkSurfaceMaker {
  public:
-  /// \param numbering null: vertices need no numbers. All outlive the maker. \throw IoError
-  ChunkSurfaceMaker(const ExportedFacets& surface, const VertexNumbering* numbering,
-                    const StageContext& context)
-      : surface_(surface),
-        numbering_(numbering),
+  /// All outlive the maker.
+  struct Parts {
+    const ExportedFacets& surface;
+    const VertexNumbering* numbering = nullptr;  ///< null: vertices need no numbers
+    const SurfaceSheets* sheets = nullptr;       ///< null: the surface is not split
+  };
+
+  /// \throw IoError
+  ChunkSurfaceMaker(const Parts& parts, const StageContext& context)
+      : surface_(parts.surface),
+        numbering_(parts.numbering),
+        sheets_(parts.sheets),
         context_(context),
         store_(context.scratch.open(kPointStore)) {}
 
@@ -49,6 +57,7 @@ class ChunkSurfaceMaker {
 
   const ExportedFacets& surface_;
   const VertexNumbering* numbering_;
+  const SurfaceSheets* sheets_;
   const StageContext& context_;
   PointStoreFile store_;
 };

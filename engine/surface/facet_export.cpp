@@ -20,4 +20,18 @@ void export_facets(std::span<const FacetRecord> facets, const ChunkLayout& layou
   }
 }
 
+void export_solid_facets(std::span<const FacetRecord> facets, const SolidExportOptions& options,
+                         ExportWriter& out) {
+  const ChunkLayout& layout = options.layout;
+  export_facets(facets, layout, out);
+  for (const FacetRecord& facet : facets) {
+    std::uint64_t last = layout.chunk_of(facet.ranks[0]);
+    for (int i = 1; i < 3; ++i) {
+      const std::uint64_t owner = layout.chunk_of(facet.ranks[i]);
+      if (owner != last) out.add(ExportKind::kBorderFacets, owner, facet);
+      last = owner;
+    }
+  }
+}
+
 }  // namespace stream_recon

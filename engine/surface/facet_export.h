@@ -31,6 +31,14 @@ struct BorderPoint {
 void export_facets(std::span<const FacetRecord> facets, const ChunkLayout& layout,
                    ExportWriter& out);
 
+struct SolidExportOptions {
+  ChunkLayout layout;
+};
+
+/// Of a solid. \pre Each facing is known. \throw IoError
+void export_solid_facets(std::span<const FacetRecord> facets, const SolidExportOptions& options,
+                         ExportWriter& out);
+
 /// What all windows have exported. \pre The reader outlives it.
 class ExportedFacets {
  public:
@@ -38,18 +46,22 @@ class ExportedFacets {
       : layout_(layout),
         facets_(reader, ExportKind::kFacets),
         border_points_(reader, ExportKind::kBorderPoints),
-        border_edges_(reader, ExportKind::kBorderEdges) {}
+        border_edges_(reader, ExportKind::kBorderEdges),
+        border_facets_(reader, ExportKind::kBorderFacets) {}
 
   const ChunkLayout& layout() const { return layout_; }
   const ExportedRecords<FacetRecord>& facets() const { return facets_; }
   const ExportedRecords<BorderPoint>& border_points() const { return border_points_; }
   const ExportedRecords<BorderEdge>& border_edges() const { return border_edges_; }
+  /// Of a solid only: facets of earlier chunks with a point in the chunk, once each.
+  const ExportedRecords<FacetRecord>& border_facets() const { return border_facets_; }
 
  private:
   ChunkLayout layout_;
   ExportedRecords<FacetRecord> facets_;
   ExportedRecords<BorderPoint> border_points_;
   ExportedRecords<BorderEdge> border_edges_;
+  ExportedRecords<FacetRecord> border_facets_;
 };
 
 }  // namespace stream_recon

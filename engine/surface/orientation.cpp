@@ -76,4 +76,10 @@ std::vector<bool> reversals(std::span<const EdgeUse> uses, std::span<const Facin
   return reversed;
 }
 
+std::vector<bool> turned_outward(std::span<const Facing> facing) {
+  std::vector<bool> reversed(facing.size());
+  for (std::size_t t = 0; t < facing.size(); ++t) reversed[t] = facing[t] == Facing::kInward;
+  return reversed;
+}
+
 }  // namespace stream_recon

@@ -22,4 +22,7 @@ namespace stream_recon {
 /// \param facing of each triangle in ascending order
 std::vector<bool> reversals(std::span<const EdgeUse> uses, std::span<const Facing> facing);
 
+/// Whether each triangle must be reversed to face outward. \pre None is unknown.
+std::vector<bool> turned_outward(std::span<const Facing> facing);
+
 }  // namespace stream_recon

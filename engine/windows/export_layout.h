@@ -14,8 +14,14 @@
 
 namespace stream_recon {
 
-enum class ExportKind : std::uint32_t { kFacets, kBorderPoints, kBorderEdges, kTetrahedra };
-inline constexpr std::size_t kExportKinds = 4;
+enum class ExportKind : std::uint32_t {
+  kFacets,
+  kBorderPoints,
+  kBorderEdges,
+  kTetrahedra,
+  kBorderFacets
+};
+inline constexpr std::size_t kExportKinds = 5;
 
 /// A record of any kind; shorter ones are filled with zeros.
 using ExportRecord = std::array<std::byte, 32>;

@@ -1,0 +1,35 @@
+#include "engine/surface/edge_wedges.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace stream_recon {
+
+std::vector<std::array<std::uint32_t, 2>> inside_wedges(const std::array<Point3, 2>& edge,
+                                                        std::span<WedgeSide> sides,
+                                                        const Predicates& predicates) {
+  std::vector<std::array<std::uint32_t, 2>> wedges;
+  if (sides.size() < 2) return wedges;
+  const auto turn = [&](const Point3& from, const Point3& to) {
+    return predicates.orient3d(edge[0], edge[1], from, to);
+  };
+  // Counterclockwise from the first side on: up to half a turn, then beyond.
+  const Point3 first = sides[0].apex;
+  const auto is_beyond = [&](const WedgeSide& side) { return turn(first, side.apex) <= 0; };
+  const auto begin = sides.begin() + 1;
+  const auto half = std::partition(begin, sides.end(), std::not_fn(is_beyond));
+  const auto is_before = [&](const WedgeSide& a, const WedgeSide& b) {
+    return turn(a.apex, b.apex) > 0;
+  };
+  std::sort(begin, half, is_before);
+  std::sort(half, sides.end(), is_before);
+
+  // Counterclockwise, the inside begins behind a side that falls and ends before one that rises.
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const WedgeSide& next = sides[(i + 1) % sides.size()];
+    if (!sides[i].rises && next.rises) wedges.push_back({sides[i].name, next.name});
+  }
+  return wedges;
+}
+
+}  // namespace stream_recon

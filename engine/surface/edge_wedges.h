@@ -1,0 +1,32 @@
+// Which triangles around an edge bound the same part of the solid.
+//
+// Guarantees: exact, so a function of the points alone, whoever asks. Triangles that do not bound
+// any solid, because others are missing, may be left without a partner.
+// Thread rule: pure functions. Cost: n log n orientation tests for n triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "spatial/predicates.h"
+
+namespace stream_recon {
+
+/// A triangle at an edge from a low to a high vertex.
+struct WedgeSide {
+  Point3 apex;
+  /// Whether it runs along the edge from low to high when seen from outside, counterclockwise.
+  bool rises = false;
+  std::uint32_t name = 0;
+};
+
+/// The names of the two sides of each wedge of the inside, around the edge from `low` to `high`.
+/// \param sides of all triangles at the edge; no two of them overlap
+/// \pre The points are in the range of the predicates.
+std::vector<std::array<std::uint32_t, 2>> inside_wedges(const std::array<Point3, 2>& edge,
+                                                        std::span<WedgeSide> sides,
+                                                        const Predicates& predicates);
+
+}  // namespace stream_recon
