@@ -68,7 +68,7 @@ void check_thresholds(const RunOptions& options) {
 }
 
 /// Whether the surface has an inside, so that each triangle is known to face away from it.
-bool is_closed(SurfaceKind /*kind*/) {
+bool is_closed(const RunOptions& /*options*/) {
   return false;
 }
 
@@ -81,7 +81,7 @@ void check_options(const RunOptions& options) {
   check_output(options);
   check_tetrahedra(options);
   check_thresholds(options);
-  require(!options.manifold || is_closed(options.surface),
+  require(!options.manifold || is_closed(options),
           fmt::format("--manifold splits surfaces that have an inside, and --surface {} has none; "
                       "leave --manifold out",
                       kind_name(options.surface)));

@@ -16,6 +16,7 @@
 
 #include "engine/order/point_store.h"
 #include "engine/parallel.h"
+#include "engine/restart/run_identity.h"
 #include "engine/scratch_records.h"
 #include "engine/surface/assembly.h"
 #include "engine/surface/surface_sheets.h"
@@ -414,6 +415,16 @@ TEST(Sheets, OfMorePointsThanRanksOf32BitsAreRefused) {
   const ExportReader exports(stage.scratch, stage.budget);
   const ExportedFacets surface(exports, {std::uint64_t{1} << 32, (std::uint64_t{1} << 32) - 1});
   EXPECT_THROW(SurfaceSheets(surface, stage.context), InputError);
+}
+
+TEST(Sheets, MakeAnotherRun) {
+  RunOptions options;
+  options.inputs = {"-"};
+  RunOptions split = options;
+  split.manifold = true;
+  const auto found = difference(identity_of(options), identity_of(split));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(*found, "--manifold: nothing then, given now");
 }
 
 class MeshCollector : public MeshVisitor {

@@ -1,6 +1,5 @@
 #include "engine/surface/chunk_stars.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace stream_recon {
@@ -72,7 +71,6 @@ void ChunkStars::make_star(std::span<const std::uint32_t> corners,
         star.push_back({c, a, b, facet.is_outward});
     }
   }
-  std::sort(star.begin(), star.end());
 }
 
 }  // namespace stream_recon

@@ -1,8 +1,8 @@
 // The stars of the vertices that a chunk owns: all triangles of the surface at each.
 //
 // Guarantees: every vertex of a triangle whose rank lies in the chunk comes once, in ascending
-// order, with all of its triangles, ascending. Thread rule: one thread. Memory: 28 bytes a triangle
-// at a vertex of the chunk, 4 a point, from the budget. Cost: about 40 ns a triangle.
+// order, with all of its triangles, in any order. Thread rule: one thread. Memory: 28 bytes a
+// triangle at a vertex of the chunk, 4 a point, from the budget. Cost: about 100 ns a triangle.
 #pragma once
 
 #include <cstdint>

@@ -61,7 +61,8 @@ class StarBatch {
     if (stars_.size() + star.size() > kBatch) finish(settle);
     const std::uint64_t most = std::max(kBatch, stars_.size() + star.size());
     if (most > kBatch) memory_.resize(kFixedBytes + most * kBatchTriangle);
-    stars_.insert(stars_.end(), star.begin(), star.end());
+    const auto added = stars_.insert(stars_.end(), star.begin(), star.end());
+    std::sort(added, stars_.end());
   }
 
   template <class Settle>

@@ -3,8 +3,7 @@
 // Guarantees: find() and then part() tell of every such vertex of the chunk once: find() of those
 // that need not ask other vertices, part() of the rest.
 // Thread rule: const for many. Memory: that of ChunkStars, 3 MB, 16 bytes for each record found,
-// from the budget. Cost: find() about 100 ns a triangle, and 1 us for each at a vertex that is no
-// fan.
+// from the budget. Cost: find() about 150 ns a triangle, and 5 us for each vertex that is no fan.
 #pragma once
 
 #include <cstdint>

@@ -15,6 +15,11 @@ namespace {
 constexpr const char* kHolder =
     "the sheets of a chunk of the surface (a smaller --chunk-points needs less)";
 
+/// Four at once, of few records.
+SpoolOptions spool_options(const StageContext& context) {
+  return {&context.scratch, &context.budget, std::uint64_t{1} << 20};
+}
+
 /// Before anything is made for the chunks.
 const ExportedFacets& checked(const ExportedFacets& surface) {
   if (surface.layout().point_count > SurfaceSheets::kMostPoints) {
@@ -30,12 +35,10 @@ SurfaceSheets::SurfaceSheets(const ExportedFacets& surface, const StageContext& 
     : surface_(checked(surface)),
       context_(context),
       search_(surface, context),
-      open_("sheet_stars", surface.layout().chunk_count(), {&context.scratch, &context.budget}),
-      touches_("sheet_touches", surface.layout().chunk_count(),
-               {&context.scratch, &context.budget}),
-      corners_("sheet_corners", surface.layout().chunk_count(),
-               {&context.scratch, &context.budget}),
-      uses_("sheet_uses", surface.layout().chunk_count(), {&context.scratch, &context.budget}) {
+      open_("sheet_stars", surface.layout().chunk_count(), spool_options(context)),
+      touches_("sheet_touches", surface.layout().chunk_count(), spool_options(context)),
+      corners_("sheet_corners", surface.layout().chunk_count(), spool_options(context)),
+      uses_("sheet_uses", surface.layout().chunk_count(), spool_options(context)) {
   context_.progress.begin_stage("sheets", surface.layout().point_count, "points");
   find();
   open_.finish();

@@ -5,9 +5,9 @@
 // ends of their edges found wait for a second pass over what is left.
 // Guarantees: a function of the facets and the chunk layout, whatever the threads and the memory.
 // Thread rule: made by one thread, on all threads; then const and thread-safe.
-// Memory, from the budget: four spools of sheet_spool_memory() and SheetSearch::typical_memory() a
-// thread while it is made; then what spools keep. Disk: 32 bytes for each triangle at a vertex of
-// several sheets, before compression. Cost: SheetSearch's.
+// Memory, from the budget: four spools of 3 MB (4 KB a chunk where that is more), and
+// SheetSearch::typical_memory() a thread, while it is made; then what spools keep. Disk: 32 bytes
+// for each triangle at a vertex of several sheets, before compression. Cost: SheetSearch's.
 #pragma once
 
 #include <cstdint>
