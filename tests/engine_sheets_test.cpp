@@ -176,9 +176,11 @@ std::vector<Point3> random_points(std::size_t count, std::uint64_t seed) {
 /// All points of an n x n x n lattice of unit steps, shuffled.
 std::vector<Point3> lattice(int n, std::uint64_t seed) {
   std::vector<Point3> points;
-  for (int i = 0; i < n * n * n; ++i) {
-    points.push_back({static_cast<double>(i % n), static_cast<double>(i / n % n),
-                      static_cast<double>(i / n / n)});
+  points.reserve(static_cast<std::size_t>(n) * n * n);
+  for (int x = 0; x < n; ++x) {
+    for (int y = 0; y < n; ++y) {
+      for (int z = 0; z < n; ++z) points.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+    }
   }
   std::shuffle(points.begin(), points.end(), std::mt19937_64(seed));
   return points;

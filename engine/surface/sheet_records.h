@@ -5,8 +5,8 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
+#include <tuple>
 
 #include "engine/windows/final_window.h"
 
@@ -25,7 +25,9 @@ struct StarTriangle {
   ShortRank other_than(ShortRank rank) const { return rank == low ? high : low; }
 
   /// Of one vertex: in the order of the triangles' sorted ranks.
-  friend auto operator<=>(const StarTriangle&, const StarTriangle&) = default;
+  friend bool operator<(const StarTriangle& a, const StarTriangle& b) {
+    return std::tie(a.vertex, a.low, a.high) < std::tie(b.vertex, b.low, b.high);
+  }
 };
 
 /// A wedge at the edge {vertex, other} that shares the sheet of `other` with another wedge of the
@@ -36,7 +38,9 @@ struct SheetTouch {
   ShortRank third = 0;  ///< the lower of the third vertices of the wedge's triangles
   std::uint32_t sheet = 0;
 
-  friend auto operator<=>(const SheetTouch&, const SheetTouch&) = default;
+  friend bool operator<(const SheetTouch& a, const SheetTouch& b) {
+    return std::tie(a.vertex, a.other, a.third) < std::tie(b.vertex, b.other, b.third);
+  }
 };
 
 /// The corner of a triangle at a vertex of several sheets.
@@ -48,7 +52,9 @@ struct SheetCorner {
   std::uint32_t sheet() const { return place / 4; }
   ShortRank rank() const { return ranks[corner()]; }
 
-  friend auto operator<=>(const SheetCorner&, const SheetCorner&) = default;
+  friend bool operator<(const SheetCorner& a, const SheetCorner& b) {
+    return std::tie(a.ranks, a.place) < std::tie(b.ranks, b.place);
+  }
 };
 
 /// A vertex of the split surface as one number: ascending by rank, then by sheet.
