@@ -47,6 +47,10 @@ TEST(Manifold, IsTheSurfaceOfASolidWithTheSameSamplesAndTriangles) {
     const auto mesh = folder.json("m.json");
     EXPECT_EQ(mesh["vertices"], split["vertices"]) << options;
     EXPECT_EQ(mesh["euler"], split["euler"]) << options;
+    EXPECT_EQ(mesh["genus"], split["genus"]) << options;
+    EXPECT_EQ(mesh["components"].get<int>(),
+              split["components"].get<int>() + split["cavities"].get<int>())
+        << options;
   }
 }
 

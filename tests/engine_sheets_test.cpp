@@ -89,8 +89,7 @@ class Exported {
 };
 
 struct Assembled {
-  SurfaceCounts counts;
-  std::uint64_t samples = 0;
+  SurfaceFacts facts;
   std::vector<SurfaceChunk> chunks;
 };
 
@@ -104,7 +103,7 @@ Assembled assemble(const SheetOracle& oracle, const AssemblyCase& how = {}) {
   Exported exported(oracle.points(), oracle.records(), how.points_per_chunk);
   ChunkKeeper keeper(how.in_order);
   const SurfaceFacts facts = exported.assemble(keeper, how.memory);
-  return {facts.counts, facts.samples, keeper.chunks};
+  return {facts, keeper.chunks};
 }
 
 /// The sheets of the corners, by triangle.
@@ -156,14 +155,18 @@ void expect_manifold(const TestMesh& mesh) {
   EXPECT_EQ(facts.unused_vertices, 0U);
 }
 
-void expect_counts(const SurfaceCounts& counts, const TestMesh& mesh) {
+/// Cavities are components of the mesh.
+void expect_counts(const SurfaceFacts& found, const TestMesh& mesh) {
   const MeshFacts facts = MeshOracle(mesh).facts();
-  EXPECT_EQ(counts.vertices, facts.vertices);
-  EXPECT_EQ(counts.edges, facts.edges);
-  EXPECT_EQ(counts.triangles, facts.triangles);
-  EXPECT_EQ(counts.boundary_edges, 0U);
-  EXPECT_EQ(counts.nonmanifold_edges, 0U);
-  EXPECT_EQ(counts.euler(), facts.euler());
+  EXPECT_EQ(found.counts.vertices, facts.vertices);
+  EXPECT_EQ(found.counts.edges, facts.edges);
+  EXPECT_EQ(found.counts.triangles, facts.triangles);
+  EXPECT_EQ(found.counts.boundary_edges, 0U);
+  EXPECT_EQ(found.counts.nonmanifold_edges, 0U);
+  EXPECT_EQ(found.counts.euler(), facts.euler());
+  EXPECT_EQ(found.components + found.cavities, facts.components);
+  const auto pieces = static_cast<std::int64_t>(facts.components);
+  EXPECT_EQ(found.genus, pieces - facts.euler() / 2);
 }
 
 SheetOracle::IsInside random_labels(double share, std::uint64_t seed) {
@@ -239,7 +242,7 @@ TEST_P(RandomLabels, AreSplitAsTheCellsSay) {
     EXPECT_EQ(sheets_of(found.chunks), oracle.sheets());
     const TestMesh mesh = stitched(found.chunks);
     expect_manifold(mesh);
-    expect_counts(found.counts, mesh);
+    expect_counts(found.facts, mesh);
   }
   if (std::get<1>(GetParam()) > 0.4) {
     EXPECT_GT(turned, 0U);
@@ -251,7 +254,7 @@ TEST_P(RandomLabels, AreSplitAlikeHoweverTheCloudIsChunked) {
   for (std::uint64_t points_per_chunk : {1, 7, 1000}) {
     const Assembled found = assemble(oracle, {.points_per_chunk = points_per_chunk});
     EXPECT_EQ(sheets_of(found.chunks), oracle.sheets()) << points_per_chunk;
-    expect_counts(found.counts, stitched(found.chunks));
+    expect_counts(found.facts, stitched(found.chunks));
   }
 }
 
@@ -268,11 +271,11 @@ TEST_P(RandomLabels, NumberEachCopyInTheOrderOfFirstAppearance) {
             << (is_new ? "new" : "known") << " vertex, chunks of " << points_per_chunk;
       }
     }
-    EXPECT_EQ(number.size(), found.counts.vertices);
+    EXPECT_EQ(number.size(), found.facts.counts.vertices);
     std::set<std::uint64_t> samples;
     for (const auto& [vertex, place] : number) samples.insert(vertex.first);
-    EXPECT_EQ(found.samples, samples.size());
-    EXPECT_LT(found.samples, found.counts.vertices);
+    EXPECT_EQ(found.facts.samples, samples.size());
+    EXPECT_LT(found.facts.samples, found.facts.counts.vertices);
   }
 }
 
@@ -300,29 +303,29 @@ TEST(Sheets, AreTheSameSideBySideAndInLittleMemory) {
         EXPECT_EQ(found.chunks[c].vertex_numbers, expected.chunks[c].vertex_numbers);
       }
     }
-    EXPECT_EQ(found.counts.vertices, expected.counts.vertices);
-    EXPECT_EQ(found.counts.euler(), expected.counts.euler());
+    EXPECT_EQ(found.facts.counts.vertices, expected.facts.counts.vertices);
+    EXPECT_EQ(found.facts.counts.euler(), expected.facts.counts.euler());
   }
 }
 
 TEST(Sheets, OfAManifoldAreOne) {
   const Assembled found = assemble(voxel_solid({{1, 1, 1}, {1, 1, 2}}, 5));
-  EXPECT_EQ(found.counts.vertices, 12U);
-  EXPECT_EQ(found.counts.euler(), 2);
+  EXPECT_EQ(found.facts.counts.vertices, 12U);
+  EXPECT_EQ(found.facts.counts.euler(), 2);
   for (const std::uint32_t sheet : found.chunks.at(0).sheets) EXPECT_EQ(sheet, 0U);
 }
 
 TEST(Sheets, TakeBodiesApartThatTouchAlongAnEdge) {
   const Assembled found = assemble(voxel_solid({{0, 0, 0}, {1, 1, 0}}, 4));
-  EXPECT_EQ(found.counts.vertices, 16U);
-  EXPECT_EQ(found.counts.euler(), 4);
+  EXPECT_EQ(found.facts.counts.vertices, 16U);
+  EXPECT_EQ(found.facts.counts.euler(), 4);
   expect_manifold(stitched(found.chunks));
 }
 
 TEST(Sheets, TakeBodiesApartThatTouchInAPoint) {
   const Assembled found = assemble(voxel_solid({{0, 0, 0}, {1, 1, 1}}, 4));
-  EXPECT_EQ(found.counts.vertices, 16U);
-  EXPECT_EQ(found.counts.euler(), 4);
+  EXPECT_EQ(found.facts.counts.vertices, 16U);
+  EXPECT_EQ(found.facts.counts.euler(), 4);
   expect_manifold(stitched(found.chunks));
 }
 
@@ -330,10 +333,10 @@ TEST(Sheets, TakeABodyApartWhereItTouchesItself) {
   // Seven of the eight cubes of a ring: the first and the last touch along an edge.
   Voxels ring{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}};
   const Assembled open = assemble(voxel_solid(ring, 5));
-  EXPECT_EQ(open.counts.euler(), 2);
+  EXPECT_EQ(open.facts.counts.euler(), 2);
   ring = {{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}};
   const Assembled touching = assemble(voxel_solid(ring, 5));
-  EXPECT_EQ(touching.counts.euler(), 2);
+  EXPECT_EQ(touching.facts.counts.euler(), 2);
   expect_manifold(stitched(touching.chunks));
 }
 
@@ -345,7 +348,7 @@ TEST(Sheets, TakeAPinchedTorusApart) {
   const Assembled found = assemble(oracle);
   EXPECT_EQ(sheets_of(found.chunks), oracle.sheets());
   EXPECT_EQ(oracle.multiple_edges(), 1U);
-  EXPECT_EQ(found.counts.euler(), 2);
+  EXPECT_EQ(found.facts.counts.euler(), 2);
   expect_manifold(stitched(found.chunks));
 }
 
@@ -357,7 +360,7 @@ TEST(Sheets, TakeCavitiesApartThatTouchAlongAnEdge) {
   for (std::uint64_t points_per_chunk : {1, 20, 1000}) {
     const Assembled found = assemble(oracle, {.points_per_chunk = points_per_chunk});
     EXPECT_EQ(sheets_of(found.chunks), oracle.sheets());
-    EXPECT_EQ(found.counts.euler(), 6);
+    EXPECT_EQ(found.facts.counts.euler(), 6);
     expect_manifold(stitched(found.chunks));
   }
 }
@@ -374,7 +377,7 @@ TEST(Sheets, TellFourFlatTrianglesInAPlaneApart) {
   const TestMesh mesh = stitched(found.chunks);
   expect_manifold(mesh);
   EXPECT_EQ(MeshOracle(mesh).facts().components, black.size());
-  EXPECT_EQ(found.counts.vertices, 8 * black.size());
+  EXPECT_EQ(found.facts.counts.vertices, 8 * black.size());
 }
 
 /// The star of vertex 0: fans of so many triangles around it, one after the other.
@@ -466,14 +469,14 @@ TEST(Sheets, MakeManifoldFilesOfEveryFormat) {
     const std::string path = exported.stage.folder.path() + "/" + name;
     const auto writer =
         make_surface_writer({.path = path, .scratch = &exported.stage.scratch, .has_sheets = true});
-    const SurfaceCounts counts = exported.assemble(*writer).counts;
+    const SurfaceFacts facts = exported.assemble(*writer);
     writer->finish();
     const auto source = open_mesh_source({.path = path, .scratch = &exported.stage.scratch});
     MeshCollector collector;
     source->read(collector);
     SCOPED_TRACE(name);
     expect_manifold(collector.mesh);
-    expect_counts(counts, collector.mesh);
+    expect_counts(facts, collector.mesh);
     EXPECT_EQ(collector.mesh.triangles.size(), oracle.sheets().size());
   }
 }

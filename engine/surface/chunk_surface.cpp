@@ -202,12 +202,17 @@ std::vector<bool> ChunkSurfaceMaker::examine_open(std::uint64_t chunk, const Chu
 std::vector<bool> ChunkSurfaceMaker::examine_solid(std::uint64_t chunk, const ChunkFacets& facets,
                                                    ChunkSurface& result) const {
   const Reservation memory = context_.budget.reserve(
-      surface_.border_facets().count(chunk) * (kBorderFacet + 3 * kToldEdge), kHolder);
+      surface_.border_facets().count(chunk) * (kBorderFacet + 3 * kToldEdge) +
+          (sheets_ != nullptr ? sheets_->turned_count(chunk) * sizeof(TurnedPair) : 0),
+      kHolder);
+  std::vector<TurnedPair> turned;
+  if (sheets_ != nullptr) turned = sheets_->turned_pairs(chunk);
   const std::vector<FacetRecord> border = surface_.border_facets().records(chunk);
   SolidChunk solid = examine_solid_chunk({.own = facets,
                                           .border = border,
                                           .first = surface_.layout().first_rank(chunk),
-                                          .end = surface_.layout().end_rank(chunk)},
+                                          .end = surface_.layout().end_rank(chunk),
+                                          .turned = turned},
                                          {store_, options_.range, context_.budget});
   result.counts.vertices = solid.counts.vertices;
   result.counts.edges = solid.counts.edges;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <tuple>
 
@@ -55,6 +56,16 @@ struct SheetCorner {
   friend bool operator<(const SheetCorner& a, const SheetCorner& b) {
     return std::tie(a.ranks, a.place) < std::tie(b.ranks, b.place);
   }
+};
+
+/// Two triangles that are joined across an edge of more than two, where it is not the inside that
+/// decides which are.
+struct TurnedPair {
+  ShortRank low = 0;  ///< ends of the edge, ascending
+  ShortRank high = 0;
+  std::array<ShortRank, 2> thirds{};  ///< the triangles' third vertices, ascending
+
+  friend auto operator<=>(const TurnedPair&, const TurnedPair&) = default;
 };
 
 /// A vertex of the split surface as one number: ascending by rank, then by sheet.

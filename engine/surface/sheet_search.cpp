@@ -78,10 +78,11 @@ class StarBatch {
   }
 
  private:
-  /// A triangle becomes a corner, or waits with two touches; while the lists grow, twice.
+  /// A triangle becomes a corner and perhaps part of two pairs, or waits with two touches; while
+  /// the lists grow, twice.
   void reserve_findings() {
-    const std::uint64_t records =
-        found_.corners.size() + found_.open.size() + found_.touches.size() + 3 * stars_.size();
+    const std::uint64_t records = found_.corners.size() + found_.open.size() +
+                                  found_.touches.size() + found_.turned.size() + 3 * stars_.size();
     found_.memory.resize(2 * records * sizeof(SheetCorner));
   }
 
@@ -149,6 +150,8 @@ FoundSheets SheetSearch::part(std::span<const StarTriangle> open,
   const auto look = [&](std::span<const StarTriangle> star, VertexSheets sheets) {
     sheets.part(touches_of(star[0].vertex, touches));
     settle(star, sheets, found);
+    const std::vector<TurnedPair> turned = sheets.turned_pairs();
+    found.turned.insert(found.turned.end(), turned.begin(), turned.end());
   };
   for_each_star(open, [&](std::span<const StarTriangle> star) { batch.add(star, look); });
   batch.finish(look);

@@ -37,6 +37,7 @@ struct FoundSheets {
   std::vector<SheetCorner> corners;  ///< of the vertices with several sheets, vertex by vertex
   std::vector<StarTriangle> open;    ///< stars that wait for part()
   std::vector<SheetTouch> touches;   ///< for the chunks of their vertices
+  std::vector<TurnedPair> turned;    ///< at edges of the chunk's vertices
   SheetCounts counts;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kHolder =
     "the sheets of a chunk of the surface (a smaller --chunk-points needs less)";
 
-/// Four at once, of few records.
+/// Five at once, of few records.
 SpoolOptions spool_options(const StageContext& context) {
   return {&context.scratch, &context.budget, std::uint64_t{1} << 20};
 }
@@ -38,6 +38,7 @@ SurfaceSheets::SurfaceSheets(const ExportedFacets& surface, const StageContext& 
       open_("sheet_stars", surface.layout().chunk_count(), spool_options(context)),
       touches_("sheet_touches", surface.layout().chunk_count(), spool_options(context)),
       corners_("sheet_corners", surface.layout().chunk_count(), spool_options(context)),
+      turned_("sheet_turns", surface.layout().chunk_count(), spool_options(context)),
       uses_("sheet_uses", surface.layout().chunk_count(), spool_options(context)) {
   context_.progress.begin_stage("sheets", surface.layout().point_count, "points");
   find();
@@ -45,6 +46,7 @@ SurfaceSheets::SurfaceSheets(const ExportedFacets& surface, const StageContext& 
   touches_.finish();
   part();
   corners_.finish();
+  turned_.finish();
   uses_.finish();
   context_.progress.end_stage();
 }
@@ -76,6 +78,7 @@ void SurfaceSheets::part() {
     std::sort(touches.begin(), touches.end());
     const FoundSheets found = search_.part(open, touches);
     take_corners(chunk, found);
+    for (const TurnedPair& pair : found.turned) turned_.append(chunk, pair);
     counts_.merge(found.counts);
   }
 }
@@ -104,6 +107,14 @@ std::vector<SheetCorner> SurfaceSheets::corners(std::uint64_t chunk) const {
   return corners;
 }
 
+/// Both ends of an edge tell of it.
+std::vector<TurnedPair> SurfaceSheets::turned_pairs(std::uint64_t chunk) const {
+  auto pairs = turned_.records(chunk);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 std::vector<BorderPoint> SurfaceSheets::border_points(std::uint64_t chunk) const {
   std::vector<BorderPoint> points = uses_.records(chunk);
   std::sort(points.begin(), points.end());
@@ -129,6 +140,10 @@ void SurfaceSheets::correct(SurfaceCounts& counts) const {
                     counts.nonmanifold_edges, counts_.split_edges));
   }
   counts.vertices += counts_.added_vertices;
+  if (counts.vertices != counts.fans) {
+    throw std::logic_error(
+        fmt::format("{} vertices of the split surface have {} fans", counts.vertices, counts.fans));
+  }
   counts.edges += counts_.added_edges;
   counts.nonmanifold_edges = 0;
 }

@@ -5,7 +5,7 @@
 // ends of their edges found wait for a second pass over what is left.
 // Guarantees: a function of the facets and the chunk layout, whatever the threads and the memory.
 // Thread rule: made by one thread, on all threads; then const and thread-safe.
-// Memory, from the budget: four spools of 3 MB (4 KB a chunk where that is more), and
+// Memory, from the budget: five spools of 3 MB (4 KB a chunk where that is more), and
 // SheetSearch::typical_memory() a thread, while it is made; then what spools keep. Disk: 32 bytes
 // for each triangle at a vertex of several sheets, before compression. Cost: SheetSearch's.
 #pragma once
@@ -38,6 +38,11 @@ class SurfaceSheets {
   std::vector<SheetCorner> corners(std::uint64_t chunk) const;
   std::uint64_t corner_count(std::uint64_t chunk) const { return corners_.count(chunk); }
 
+  /// At the edges of the chunk's points, sorted; the caller reserves turned_count() of them.
+  /// \throw IoError, BudgetError
+  std::vector<TurnedPair> turned_pairs(std::uint64_t chunk) const;
+  std::uint64_t turned_count(std::uint64_t chunk) const { return turned_.count(chunk); }
+
   /// As ExportedFacets::border_points() of a chunk, with keys of sheets in place of ranks, some
   /// repeated; the caller reserves border_count(). \throw IoError, BudgetError
   std::vector<BorderPoint> border_points(std::uint64_t chunk) const;
@@ -61,6 +66,7 @@ class SurfaceSheets {
   ChunkSpool<StarTriangle> open_;
   ChunkSpool<SheetTouch> touches_;
   ChunkSpool<SheetCorner> corners_;
+  ChunkSpool<TurnedPair> turned_;
   ChunkSpool<BorderPoint> uses_;  ///< of split vertices by other chunks than theirs: keys
   SheetCounts counts_;
 };

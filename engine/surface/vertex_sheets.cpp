@@ -177,8 +177,23 @@ void VertexSheets::part(MultipleEdge& edge, std::span<const SheetTouch> from_far
     std::size_t end = begin + 1;
     while (end < known.size() && known[end].has_sheets_of(known[begin])) ++end;
     turn_outside(std::span(known).subspan(begin, end - begin), edge.wedges);
+    edge.is_turned = true;
     begin = end;
   }
+}
+
+std::vector<TurnedPair> VertexSheets::turned_pairs() const {
+  std::vector<TurnedPair> pairs;
+  for (const MultipleEdge& edge : multiple_) {
+    if (!edge.is_turned) continue;
+    const auto [low, high] = std::minmax(star_[0].vertex, edge.other);
+    for (const Wedge& wedge : edge.wedges) {
+      const ShortRank a = star_[wedge[0]].other_than(edge.other);
+      const ShortRank b = star_[wedge[1]].other_than(edge.other);
+      pairs.push_back({low, high, {std::min(a, b), std::max(a, b)}});
+    }
+  }
+  return pairs;
 }
 
 std::uint64_t VertexSheets::multiple_edges() const {

@@ -41,6 +41,9 @@ class VertexSheets {
   /// \param from_far_ends of this vertex, sorted
   void part(std::span<const SheetTouch> from_far_ends);
 
+  /// How triangles are joined at the edges where part() changed it.
+  std::vector<TurnedPair> turned_pairs() const;
+
   /// Edges to vertices of higher rank that have more than two triangles.
   std::uint64_t multiple_edges() const;
   /// Copies of those beyond the first.
@@ -54,6 +57,7 @@ class VertexSheets {
   struct MultipleEdge {
     ShortRank other = 0;
     std::vector<Wedge> wedges;
+    bool is_turned = false;
   };
   struct Spoke {
     ShortRank other = 0;
