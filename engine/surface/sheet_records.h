@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <tuple>
 
@@ -65,7 +64,10 @@ struct TurnedPair {
   ShortRank high = 0;
   std::array<ShortRank, 2> thirds{};  ///< the triangles' third vertices, ascending
 
-  friend auto operator<=>(const TurnedPair&, const TurnedPair&) = default;
+  friend bool operator==(const TurnedPair&, const TurnedPair&) = default;
+  friend bool operator<(const TurnedPair& a, const TurnedPair& b) {
+    return std::tie(a.low, a.high, a.thirds) < std::tie(b.low, b.high, b.thirds);
+  }
 };
 
 /// A vertex of the split surface as one number: ascending by rank, then by sheet.
