@@ -72,9 +72,11 @@ class Pipeline {
       const ExportReader facets(context_.scratch, context_.budget,
                                 is_solid() ? kLabelledPrefix : kExportPrefix);
       log_.run("surface", [&] {
-        build_surface(
-            {facets, layout}, *surface_writer,
-            {.is_solid = is_solid(), .range = cloud.range, .unused = unused_writer.get()});
+        build_surface({facets, layout}, *surface_writer,
+                      {.is_solid = is_solid(),
+                       .splits = options_.manifold,
+                       .range = cloud.range,
+                       .unused = unused_writer.get()});
       });
     }
     if (tetrahedra_writer != nullptr) {
@@ -122,7 +124,8 @@ class Pipeline {
     return make_surface_writer({.path = options_.output,
                                 .coordinates = scalar_of(cloud),
                                 .scratch = &context_.scratch,
-                                .has_closure = is_solid()});
+                                .has_closure = is_solid(),
+                                .has_sheets = options_.manifold});
   }
   std::unique_ptr<TetrahedraWriter> make_tetrahedra_writer(const CloudSummary& cloud) const {
     if (options_.tetrahedra.empty()) return nullptr;
@@ -213,6 +216,7 @@ class Pipeline {
     report_.surface.digest = counts.digest.hex();
     report_.surface.delta_histogram = counts.delta_histogram;
     report_.surface.doubtful_fills = counts.doubtful_fills;
+    report_.surface.samples_on_surface = facts.samples;
     report_.surface.components = facts.components;
     report_.surface.cavities = facts.cavities;
     report_.surface.genus = facts.genus;
@@ -222,8 +226,7 @@ class Pipeline {
 
   void report_samples(const OrderResult& order) {
     if (options_.surface == SurfaceKind::kNone) return;
-    report_.surface.samples_on_surface = report_.surface.vertices;
-    report_.surface.unused_samples = order.point_count - report_.surface.vertices;
+    report_.surface.unused_samples = order.point_count - report_.surface.samples_on_surface;
   }
 
   void report_input(const CloudSummary& cloud, const OrderResult& order) {

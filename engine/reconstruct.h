@@ -45,6 +45,9 @@ struct RunOptions {
   /// > 0. Nothing: as the inputs say.
   std::optional<std::array<double, 3>> grid_spacing;
 
+  /// Split the surface where it touches itself, so that it is a manifold. Needs a closed surface.
+  bool manifold = false;
+
   /// Ends in .pvtp, .ply or .vtk, or is "-" for PLY on standard output; not used for kNone.
   std::string output;
   /// Also writes all finite Delaunay tetrahedra; ends in .pvtu, empty for none. Neither this output

@@ -57,7 +57,7 @@ struct Report {
     std::optional<std::int64_t> genus;
     std::optional<double> volume;          ///< likewise; cubes of the unit of the input
     double area = 0;                       ///< squares of the unit of the input
-    std::uint64_t samples_on_surface = 0;  ///< distinct points with a triangle: the vertices
+    std::uint64_t samples_on_surface = 0;  ///< distinct points with a triangle
     std::uint64_t unused_samples = 0;      ///< distinct points without
     std::uint64_t doubtful_fills = 0;      ///< fills of a closure above 4 (docs/formats.md)
     std::uint64_t forest_conflicts = 0;    ///< of solids: evidence that the labels contradict

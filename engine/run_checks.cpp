@@ -93,6 +93,17 @@ void check_thresholds(const RunOptions& options) {
           "--surface alpha needs --alpha R, a radius above 0 in the units of the input");
 }
 
+/// Splitting needs a surface that is closed, whose triangles are known to face away from an inside.
+void check_manifold(const RunOptions& options) {
+  if (!options.manifold) return;
+  require(options.surface == SurfaceKind::kSolid,
+          fmt::format("--manifold splits surfaces that have an inside, and --surface {} has none; "
+                      "leave --manifold out",
+                      kind_name(options.surface)));
+  require(!options.open_ratio,
+          "--manifold splits closed surfaces, and --open leaves facets out; leave one of them out");
+}
+
 }  // namespace
 
 void check_options(const RunOptions& options) {
@@ -103,6 +114,7 @@ void check_options(const RunOptions& options) {
   check_tetrahedra(options);
   check_unused(options);
   check_thresholds(options);
+  check_manifold(options);
   require(options.chunk_points >= 1, "--chunk-points 0: give 1 or more");
 }
 

@@ -1,6 +1,8 @@
 #include "io/chunked_mesh_source.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,17 @@
 
 namespace stream_recon {
 namespace {
+
+/// The first sheet of a point keeps its id.
+std::uint64_t number_of_sheet(const std::string& chunk, std::uint64_t id, std::uint32_t sheet) {
+  constexpr int kIdBits = 40;
+  constexpr int kSheetBits = 24;
+  if (sheet != 0 && (id >> kIdBits != 0 || sheet >> kSheetBits != 0)) {
+    throw InputError(chunk + ": GlobalPointId " + std::to_string(id) + " with Sheet " +
+                     std::to_string(sheet) + " is too large; ids below 2^40 can have 2^24 sheets");
+  }
+  return std::uint64_t{sheet} << kIdBits | id;
+}
 
 class ChunkedMesh final : public MeshSource {
  public:
@@ -36,8 +49,10 @@ class ChunkedMesh final : public MeshSource {
                        ": no GlobalPointId, so nobody can tell which points it shares with other "
                        "chunks; write the ids, or one file");
     }
-    const auto number = [&mesh](std::size_t point) -> std::uint64_t {
-      return mesh.global_ids.empty() ? point : mesh.global_ids[point];
+    const auto number = [&](std::size_t point) -> std::uint64_t {
+      if (mesh.global_ids.empty()) return point;
+      const std::uint64_t id = mesh.global_ids[point];
+      return mesh.sheets.empty() ? id : number_of_sheet(chunk, id, mesh.sheets[point]);
     };
     for (std::size_t i = 0; i < mesh.points.size(); ++i) visitor.vertex(number(i), mesh.points[i]);
     for (const auto& [a, b, c] : mesh.triangles) {

@@ -1,6 +1,7 @@
 // The mesh of a .pvtp, chunk by chunk, or of a single .vtp: see io/mesh_source.h.
 //
-// Vertices are told apart by GlobalPointId; a mesh of one chunk may do without.
+// Vertices are told apart by GlobalPointId, and by Sheet where there is one; a mesh of one chunk
+// may do without.
 #pragma once
 
 #include "io/mesh_source.h"

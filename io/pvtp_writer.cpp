@@ -24,15 +24,16 @@ std::string cell_data(bool has_closure) {
 class PvtpWriter final : public SurfaceWriter {
  public:
   explicit PvtpWriter(const SurfaceWriterOptions& options)
-      : scalar_(options.coordinates),
-        has_closure_(options.has_closure),
+      : options_({.coordinates = options.coordinates,
+                  .has_closure = options.has_closure,
+                  .has_sheets = options.has_sheets}),
         output_({.index = options.path, .index_ending = ".pvtp", .chunk_ending = ".vtp"}) {}
 
   bool takes_chunks_in_order() const override { return false; }
 
   void write(std::uint64_t number, const SurfaceChunk& chunk) override {
     File file = output_.create_chunk(number);
-    VtpWriter(scalar_, has_closure_).write(chunk, file);
+    VtpWriter(options_).write(chunk, file);
     bytes_written_ += file.position();
     file.close();
   }
@@ -43,8 +44,9 @@ class PvtpWriter final : public SurfaceWriter {
   void complete() override {
     if (bytes_written_ == 0) write(0, {});  // readers expect a piece, even an empty one
     const std::string text = index_text({.type = "PolyData",
-                                         .cell_data = cell_data(has_closure_),
-                                         .scalar = scalar_,
+                                         .cell_data = cell_data(options_.has_closure),
+                                         .scalar = options_.coordinates,
+                                         .has_sheets = options_.has_sheets,
                                          .pieces = output_.chunk_paths()});
     output_.prepare(text);
     bytes_written_ += text.size();
@@ -55,8 +57,7 @@ class PvtpWriter final : public SurfaceWriter {
     output_.keep();
   }
 
-  Scalar scalar_;
-  bool has_closure_;
+  VtpWriterOptions options_;
   ChunkedOutput output_;
   std::atomic<std::uint64_t> bytes_written_ = 0;
 };

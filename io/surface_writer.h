@@ -30,6 +30,9 @@ enum class TriangleSource : std::uint8_t {
 struct SurfaceChunk {
   std::vector<Point3> points;             ///< bit-equal to the input
   std::vector<std::uint64_t> global_ids;  ///< input index of each point
+  /// Of a surface that is split into sheets: which sheet at that point; then points of one id stand
+  /// one after the other. Else empty.
+  std::vector<std::uint32_t> sheets;
   /// For writers that take chunks in order: position of each point in the vertex list of the whole
   /// surface, counted in the order of first appearance (chunk by chunk, then by position in the
   /// chunk): a point is new in this chunk iff its number is not below the count of vertices of all
@@ -52,6 +55,7 @@ struct SurfaceWriterOptions {
   ScratchDirectory* scratch = nullptr;
   /// Whether the chunks know their closure: it is written where cells have data.
   bool has_closure = false;
+  bool has_sheets = false;  ///< chunks have them: .pvtp tells of them
 };
 
 class SurfaceWriter {

@@ -25,6 +25,8 @@ std::string points_attributes(Scalar scalar) {
 constexpr std::string_view kGlobalIdAttributes =
     "type=\"Int64\" IdType=\"1\" Name=\"GlobalPointId\"";
 
+constexpr std::string_view kSheetAttributes = "type=\"UInt32\" Name=\"Sheet\"";
+
 std::string escape_xml(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -51,6 +53,7 @@ void add_points(VtkXmlDocument& document, const VtkXmlPoints& points) {
   document.add("<PointData GlobalIds=\"GlobalPointId\">\n");
   // Ids are below 2^63, so unsigned and signed are the same bytes.
   document.add_array(kGlobalIdAttributes, std::as_bytes(points.global_ids));
+  if (points.sheets) document.add_array(kSheetAttributes, std::as_bytes(*points.sheets));
   document.add("</PointData>\n<Points>\n");
   const std::size_t point_bytes = 3 * scalar_bytes(points.scalar);
   document.add_array(points_attributes(points.scalar), points.points.size() * point_bytes,
@@ -90,8 +93,10 @@ std::string index_text(const VtkXmlIndex& index) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" " + kVtkXmlAttributes + ">\n<" +
       type + " GhostLevel=\"0\">\n<PPointData GlobalIds=\"GlobalPointId\">\n<PDataArray " +
-      std::string(kGlobalIdAttributes) + "/>\n</PPointData>\n" + index.cell_data +
-      "<PPoints>\n<PDataArray " + points_attributes(index.scalar) + "/>\n</PPoints>\n";
+      std::string(kGlobalIdAttributes) + "/>\n" +
+      (index.has_sheets ? "<PDataArray " + std::string(kSheetAttributes) + "/>\n" : "") +
+      "</PPointData>\n" + index.cell_data + "<PPoints>\n<PDataArray " +
+      points_attributes(index.scalar) + "/>\n</PPoints>\n";
   for (const std::string& piece : index.pieces) {
     text += "<Piece Source=\"" + escape_xml(piece) + "\"/>\n";
   }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,9 +21,11 @@ struct VtkXmlPoints {
   std::span<const Point3> points;
   std::span<const std::uint64_t> global_ids;  ///< of each point
   Scalar scalar = Scalar::kFloat64;
+  std::optional<std::span<const std::uint32_t>> sheets{};  ///< of each point, if there are any
 };
 
-/// Adds point data GlobalPointId, then the points. \pre The spans outlive document.write().
+/// Adds point data GlobalPointId, and Sheet, then the points. \pre The spans outlive
+/// document.write().
 void add_points(VtkXmlDocument& document, const VtkXmlPoints& points);
 
 /// Adds where each of `cells` cells of `corners` points ends in the list of corners.
@@ -34,6 +37,7 @@ struct VtkXmlIndex {
   std::string type;       ///< of the pieces: "PolyData"
   std::string cell_data;  ///< its PCellData element
   Scalar scalar = Scalar::kFloat64;
+  bool has_sheets = false;
   std::vector<std::string> pieces;  ///< paths, relative to the index
 };
 std::string index_text(const VtkXmlIndex& index);

@@ -21,6 +21,7 @@ struct Piece {
   std::vector<std::uint8_t> source;
   std::vector<float> closure;
   std::vector<std::uint64_t> global_ids;
+  std::vector<std::uint32_t> sheets;
 };
 
 bool is_wanted(const VtpArray& array) {
@@ -28,7 +29,7 @@ bool is_wanted(const VtpArray& array) {
     case VtpSection::kPoints:
       return true;
     case VtpSection::kPointData:
-      return array.name == "GlobalPointId";
+      return array.name == "GlobalPointId" || array.name == "Sheet";
     case VtpSection::kCellData:
       return array.name == "Delta" || array.name == "Source" || array.name == "Closure";
     case VtpSection::kPolys:
@@ -72,6 +73,8 @@ class MeshReader {
       read_integers(array, piece.offsets);
     } else if (array.name == "GlobalPointId") {
       read_integers(array, piece.global_ids);
+    } else if (array.name == "Sheet") {
+      read_values<std::uint32_t>(array, {ScalarType::kUint32, ScalarType::kInt32}, piece.sheets);
     } else if (array.name == "Delta") {
       read_values<float>(array, {ScalarType::kFloat32, ScalarType::kFloat32}, piece.delta);
     } else if (array.name == "Closure") {
@@ -159,10 +162,12 @@ class MeshReader {
     append(piece.source, counts.cells_before_polys, mesh.source);
     append(piece.closure, counts.cells_before_polys, mesh.closure);
     append(piece.global_ids, 0, mesh.global_ids);
+    append(piece.sheets, 0, mesh.sheets);
     check_whole(mesh.delta.size(), mesh.triangles.size());
     check_whole(mesh.source.size(), mesh.triangles.size());
     check_whole(mesh.closure.size(), mesh.triangles.size());
     check_whole(mesh.global_ids.size(), mesh.points.size());
+    check_whole(mesh.sheets.size(), mesh.points.size());
   }
 
   template <typename T>
@@ -197,7 +202,7 @@ VtpMeshSize read_vtp_mesh_size(const std::string& path) {
   VtpMeshSize size;
   std::size_t pieces = 0;
   const auto count = [&](const VtpArray& array) {
-    size.has_global_ids = size.has_global_ids || array.section == VtpSection::kPointData;
+    size.has_global_ids = size.has_global_ids || array.name == "GlobalPointId";
     if (array.piece.index < pieces) return;
     pieces = array.piece.index + 1;
     size.points += array.piece.points;

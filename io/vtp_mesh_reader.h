@@ -22,6 +22,7 @@ struct VtpMesh {
   std::vector<std::uint8_t> source;                     ///< cell data Source of the triangles
   std::vector<float> closure;                           ///< cell data Closure of the triangles
   std::vector<std::uint64_t> global_ids;                ///< point data GlobalPointId
+  std::vector<std::uint32_t> sheets;                    ///< point data Sheet
 };
 
 /// Reads the file `path`, "-" for standard input. \throw InputError, IoError
@@ -34,7 +35,7 @@ struct VtpMeshSize {
   bool has_global_ids = false;
 
   /// What read_vtp_mesh() holds at most, bytes.
-  std::uint64_t memory_bytes() const { return 72 * points + 76 * triangles; }
+  std::uint64_t memory_bytes() const { return 80 * points + 76 * triangles; }
 };
 
 /// Reads no more than the XML where the arrays are appended. \throw InputError, IoError

@@ -32,11 +32,17 @@ void add_cells(VtkXmlDocument& document, const SurfaceChunk& chunk, bool has_clo
 
 }  // namespace
 
+std::optional<std::span<const std::uint32_t>> VtpWriter::sheets_of(
+    const SurfaceChunk& chunk) const {
+  if (!options_.has_sheets) return std::nullopt;
+  return std::span(chunk.sheets);
+}
+
 void VtpWriter::write(const SurfaceChunk& chunk, File& file) {
   VtkXmlDocument document("PolyData");
   document.add(piece_tag(chunk));
-  add_points(document, {chunk.points, chunk.global_ids, scalar_});
-  add_cells(document, chunk, has_closure_);
+  add_points(document, {chunk.points, chunk.global_ids, options_.coordinates, sheets_of(chunk)});
+  add_cells(document, chunk, options_.has_closure);
   document.add("</Piece>\n");
   document.write(blocks_, file);
 }

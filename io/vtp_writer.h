@@ -1,8 +1,12 @@
 // One chunk of a surface as a VTK XML PolyData file (.vtp): appended, raw, compressed.
 //
-// Guarantees: the bytes are a function of the chunk and the scalar type alone. Memory: one block
+// Guarantees: the bytes are a function of the chunk and the options alone. Memory: one block
 // of an array. Thread rule: one thread. Layout: docs/formats.md.
 #pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
 
 #include "io/file.h"
 #include "io/surface_writer.h"
@@ -10,18 +14,23 @@
 
 namespace stream_recon {
 
+struct VtpWriterOptions {
+  Scalar coordinates = Scalar::kFloat64;
+  bool has_closure = false;  ///< chunks have one to be written
+  bool has_sheets = false;   ///< the same
+};
+
 class VtpWriter {
  public:
-  /// \param has_closure whether the chunk has one to be written
-  VtpWriter(Scalar coordinates, bool has_closure)
-      : scalar_(coordinates), has_closure_(has_closure) {}
+  explicit VtpWriter(const VtpWriterOptions& options) : options_(options) {}
 
   /// Writes the chunk to `file`, new and empty. \throw IoError
   void write(const SurfaceChunk& chunk, File& file);
 
  private:
-  Scalar scalar_;
-  bool has_closure_;
+  std::optional<std::span<const std::uint32_t>> sheets_of(const SurfaceChunk& chunk) const;
+
+  VtpWriterOptions options_;
   VtkXmlBlocks blocks_;
 };
 

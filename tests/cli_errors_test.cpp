@@ -82,6 +82,8 @@ TEST_F(Refusals, OfUsageAre64) {
       {"cube.ply -o out.pvtp --surface alpha --alpha nan", 64, "--alpha R"},
       {"cube.ply -o out.pvtp --surface alpha --alpha x", 64, "--alpha"},
       {"cube.ply -o out.pvtp --alpha 1", 64, "--surface alpha"},
+      {"cube.ply -o out.pvtp --surface gamma --manifold", 64, "leave --manifold out"},
+      {"cube.ply -o out.pvtp --surface solid --open 4 --manifold", 64, "leave one of them out"},
       {"cube.ply -o out.pvtp --delta-max 0", 64, "--delta-max"},
       {"cube.ply -o out.pvtp --delta-max 181", 64, "--delta-max"},
       {"cube.ply -o out.pvtp --delta-max nan", 64, "--delta-max"},

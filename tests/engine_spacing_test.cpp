@@ -225,9 +225,9 @@ TEST(MeasureSpacing, IsNotBelowTheWidestOfTheGrid) {
   };
   const std::vector<float> free = measured(std::nullopt);
   EXPECT_FLOAT_EQ(*std::min_element(free.begin(), free.end()), 0.1F * std::sqrt(2.0F));
-  const std::vector<float> floored = measured(SampleSpacing{0.05, 0.16, 0.1});
+  const std::vector<float> floored = measured(SampleSpacing{0.05, 0.15, 0.1});
   ASSERT_EQ(floored.size(), free.size());
-  for (std::size_t i = 0; i < free.size(); ++i) EXPECT_EQ(floored[i], std::max(free[i], 0.16F));
+  for (std::size_t i = 0; i < free.size(); ++i) EXPECT_EQ(floored[i], std::max(free[i], 0.15F));
 }
 
 TEST(MeasureSpacing, StopsWhenAskedAndRefusesTooLittleMemory) {

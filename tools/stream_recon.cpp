@@ -84,6 +84,9 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
          "solid: leave facets beyond the gamma shape out where their circumradius is more "
          "than this many spacings of the samples (default: all are there, a closed surface)")
       ->option_text("RATIO");
+  app.add_flag("--manifold", line.run.manifold,
+               "solid: split the surface where it touches itself, so that every edge has two "
+               "triangles and every vertex one fan of them");
   add_spacing(app, line.run.grid_spacing);
   app.add_option("--unused", line.run.unused, "Also the points that no triangle has, in OUT.ply")
       ->option_text("OUT");

@@ -22,34 +22,37 @@
 
 namespace stream_recon {
 
+inline constexpr std::uint64_t kMostPending = std::uint64_t{4} << 20;
+
 struct SpoolOptions {
   ScratchDirectory* scratch = nullptr;
   MemoryBudget* budget = nullptr;
+  /// What waits in memory for its block, bytes; less where few records are expected.
+  std::uint64_t pending_bytes = kMostPending;
 };
 
 namespace detail {
 
-inline constexpr std::uint64_t kMostPending = std::uint64_t{4} << 20;
 inline constexpr std::uint64_t kSmallestBlock = std::uint64_t{4} << 10;
 inline constexpr std::uint64_t kLargestBlock = std::uint64_t{128} << 10;
 
 /// Blocks small enough that one for each chunk can wait in memory.
-constexpr std::uint64_t spool_block_bytes(std::uint64_t chunks) {
-  return std::clamp(kMostPending / std::max<std::uint64_t>(chunks, 1), kSmallestBlock,
-                    kLargestBlock);
+constexpr std::uint64_t spool_block_bytes(std::uint64_t chunks, std::uint64_t pending) {
+  return std::clamp(pending / std::max<std::uint64_t>(chunks, 1), kSmallestBlock, kLargestBlock);
 }
 
 }  // namespace detail
 
 /// What a spool holds while it is written, bytes.
-constexpr std::uint64_t spool_memory(std::uint64_t chunks) {
-  const std::uint64_t block = detail::spool_block_bytes(chunks);
+constexpr std::uint64_t spool_memory(std::uint64_t chunks, std::uint64_t pending = kMostPending) {
+  const std::uint64_t block = detail::spool_block_bytes(chunks, pending);
   return chunks * (block + 64) + record_file_memory(block);
 }
 
 /// What a call that reads holds beside its result, bytes.
-constexpr std::uint64_t spool_reading_memory(std::uint64_t chunks) {
-  const std::uint64_t block = detail::spool_block_bytes(chunks);
+constexpr std::uint64_t spool_reading_memory(std::uint64_t chunks,
+                                             std::uint64_t pending = kMostPending) {
+  const std::uint64_t block = detail::spool_block_bytes(chunks, pending);
   return record_cursor_memory(block) + block;
 }
 
@@ -61,8 +64,10 @@ class ChunkSpool {
       : name_(std::move(name)),
         scratch_(options.scratch),
         budget_(options.budget),
-        memory_(options.budget->reserve(spool_memory(chunk_count), "the chunks of " + name_)),
-        records_per_block_(detail::spool_block_bytes(chunk_count) / sizeof(Record)),
+        pending_bytes_(options.pending_bytes),
+        memory_(options.budget->reserve(spool_memory(chunk_count, pending_bytes_),
+                                        "the chunks of " + name_)),
+        records_per_block_(detail::spool_block_bytes(chunk_count, pending_bytes_) / sizeof(Record)),
         chunks_(chunk_count),
         writer_(create_records<Record>(*scratch_, name_, records_per_block_ * sizeof(Record))) {}
   ~ChunkSpool() = default;
@@ -100,8 +105,8 @@ class ChunkSpool {
   void visit(std::uint64_t chunk, const Visit& visit) const {
     const Chunk& source = chunks_[chunk];
     if (source.count == 0) return;
-    const Reservation memory =
-        budget_->reserve(spool_reading_memory(chunks_.size()), "reading the chunks of " + name_);
+    const Reservation memory = budget_->reserve(
+        spool_reading_memory(chunks_.size(), pending_bytes_), "reading the chunks of " + name_);
     RecordCursor<Record> cursor(*file_);
     std::vector<Record> records(records_per_block_);
     std::uint64_t rest = source.count;
@@ -135,6 +140,7 @@ class ChunkSpool {
   std::string name_;
   ScratchDirectory* scratch_;
   MemoryBudget* budget_;
+  std::uint64_t pending_bytes_;
   Reservation memory_;
   std::size_t records_per_block_;
   std::vector<Chunk> chunks_;

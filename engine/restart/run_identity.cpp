@@ -77,6 +77,7 @@ RunIdentity identity_of(const RunOptions& options) {
       identity["--spacing"] = fmt::format("{}", fmt::join(*options.grid_spacing, ","));
     }
   }
+  if (options.manifold) identity["--manifold"] = "given";
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     identity[fmt::format("input {}", i + 1)] = describe_input(options.inputs[i]);
   }

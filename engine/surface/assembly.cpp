@@ -7,6 +7,7 @@
 #include "engine/chunks/chunk_numbers.h"
 #include "engine/surface/chunk_surface.h"
 #include "engine/surface/piece_join.h"
+#include "engine/surface/surface_sheets.h"
 #include "engine/surface/vertex_numbering.h"
 
 namespace stream_recon {
@@ -25,11 +26,15 @@ class SurfaceAssembly {
 
   SurfaceFacts run() {
     const bool is_ordered = writer_.takes_chunks_in_order();
+    std::optional<SurfaceSheets> sheets;
+    if (options_.splits) sheets.emplace(surface_, context_);
     std::optional<VertexNumbering> numbering;
-    if (is_ordered) numbering.emplace(surface_, context_);
-    const ChunkSurfaceMaker maker(
-        {.surface = surface_, .numbering = numbering ? &*numbering : nullptr, .options = options_},
-        context_);
+    if (is_ordered) numbering.emplace(surface_, pointer_to(sheets), context_);
+    const ChunkSurfaceMaker maker({.surface = surface_,
+                                   .numbering = pointer_to(numbering),
+                                   .sheets = pointer_to(sheets),
+                                   .options = options_},
+                                  context_);
     context_.progress.begin_stage("surface", surface_.layout().point_count, "points");
     const std::uint64_t bytes = maker.typical_memory(numbers_.most_records());
     for_each_chunk(
@@ -39,10 +44,17 @@ class SurfaceAssembly {
         [&maker](std::uint64_t chunk) { return maker.make(chunk); },
         [this](std::uint64_t chunk, ChunkSurface made) { take(chunk, made); });
     context_.progress.end_stage();
-    return facts(join_.finish());
+    SurfaceFacts result = facts(join_.finish());
+    if (sheets) sheets->correct(result.counts);
+    return result;
   }
 
  private:
+  template <class Part>
+  static const Part* pointer_to(const std::optional<Part>& part) {
+    return part ? &*part : nullptr;
+  }
+
   void take(std::uint64_t chunk, const ChunkSurface& made) {
     {
       const std::lock_guard lock(mutex_);
@@ -57,6 +69,7 @@ class SurfaceAssembly {
   SurfaceFacts facts(const JoinedPieces& joined) const {
     const double scale = options_.range.scale().value_or(1);
     SurfaceFacts facts{.counts = counts_,
+                       .samples = counts_.vertices,
                        .components = joined.components,
                        .cavities = joined.cavities,
                        .area = joined.area.value() / scale / scale,

@@ -21,6 +21,9 @@ struct AssemblyOptions {
   /// Whether the facets bound a solid: all know their facing and closure, and were exported by
   /// export_solid_facets().
   bool is_solid = false;
+  /// Split the surface of a closed solid into sheets (surface/surface_sheets.h), which makes it a
+  /// manifold: the writer gets vertices once for each sheet, with the sheets' numbers.
+  bool splits = false;
   CoordinateRange range;           ///< of the cloud
   PointsWriter* unused = nullptr;  ///< gets the points that no triangle has, if given
 };

@@ -9,6 +9,7 @@
 
 #include "engine/surface/edge_census.h"
 #include "engine/surface/orientation.h"
+#include "engine/surface/sheet_split.h"
 #include "engine/surface/solid_chunk.h"
 #include "spatial/triangle_measure.h"
 
@@ -111,7 +112,8 @@ std::uint64_t ChunkSurfaceMaker::output_memory(std::uint64_t triangles,
                                                std::uint64_t vertices) const {
   // The closure, what the writer makes of it, and the number of the piece.
   const std::uint64_t of_solid = options_.is_solid ? triangles * 12 : 0;
-  return of_solid +
+  const std::uint64_t of_sheets = sheets_ != nullptr ? vertices * sizeof(std::uint32_t) : 0;
+  return of_solid + of_sheets +
          (numbering_ != nullptr ? triangles * 38 + vertices * 84 : triangles * 18 + vertices * 40);
 }
 
@@ -135,14 +137,18 @@ ChunkSurface ChunkSurfaceMaker::make(std::uint64_t chunk) const {
   result.counts.triangles = triangles;
   const std::vector<bool> reversed = options_.is_solid ? examine_solid(chunk, facets, result)
                                                        : examine_open(chunk, facets, result);
+  SplitFacets split;
+  if (sheets_ != nullptr) split = split_facets(*sheets_, chunk, context_.budget, facets);
   result.memory.resize(kFixedBytes + output_memory(triangles, facets.vertices.size()) +
                        result.pieces.told.size() * sizeof(SharedEdge) +
                        result.pieces.facts.size() * sizeof(PieceFacts));
   take_triangles(facets, reversed, result.chunk);
   read_points(store_, facets.vertices, result.chunk.points, result.chunk.global_ids);
   if (numbering_ != nullptr) {
-    result.chunk.vertex_numbers = numbering_->numbers_of(chunk, facets.vertices);
+    result.chunk.vertex_numbers =
+        numbering_->numbers_of(chunk, sheets_ != nullptr ? split.keys : facets.vertices);
   }
+  result.chunk.sheets = std::move(split.sheets);
   measure(result);
   if (options_.unused != nullptr) find_unused(chunk, facets.vertices, result);
   return result;
@@ -196,12 +202,17 @@ std::vector<bool> ChunkSurfaceMaker::examine_open(std::uint64_t chunk, const Chu
 std::vector<bool> ChunkSurfaceMaker::examine_solid(std::uint64_t chunk, const ChunkFacets& facets,
                                                    ChunkSurface& result) const {
   const Reservation memory = context_.budget.reserve(
-      surface_.border_facets().count(chunk) * (kBorderFacet + 3 * kToldEdge), kHolder);
+      surface_.border_facets().count(chunk) * (kBorderFacet + 3 * kToldEdge) +
+          (sheets_ != nullptr ? sheets_->turned_count(chunk) * sizeof(TurnedPair) : 0),
+      kHolder);
+  std::vector<TurnedPair> turned;
+  if (sheets_ != nullptr) turned = sheets_->turned_pairs(chunk);
   const std::vector<FacetRecord> border = surface_.border_facets().records(chunk);
   SolidChunk solid = examine_solid_chunk({.own = facets,
                                           .border = border,
                                           .first = surface_.layout().first_rank(chunk),
-                                          .end = surface_.layout().end_rank(chunk)},
+                                          .end = surface_.layout().end_rank(chunk),
+                                          .turned = turned},
                                          {store_, options_.range, context_.budget});
   result.counts.vertices = solid.counts.vertices;
   result.counts.edges = solid.counts.edges;

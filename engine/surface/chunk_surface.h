@@ -17,15 +17,16 @@
 #include "engine/surface/facet_export.h"
 #include "engine/surface/piece_join.h"
 #include "engine/surface/surface_counts.h"
+#include "engine/surface/surface_sheets.h"
 #include "engine/surface/vertex_numbering.h"
 #include "io/surface_writer.h"
 
 namespace stream_recon {
 
 struct ChunkSurface {
-  Reservation memory;  ///< for the chunk, and for its writer
-  SurfaceChunk chunk;  ///< with vertex numbers if there is a numbering
-  SurfaceCounts counts;
+  Reservation memory;    ///< for the chunk, and for its writer
+  SurfaceChunk chunk;    ///< with vertex numbers if there is a numbering
+  SurfaceCounts counts;  ///< before it is split
   ChunkPieces pieces;
   ChunkSums sums;
   std::vector<Point3> unused;  ///< points of the chunk that no triangle has, if asked for
@@ -36,6 +37,7 @@ class ChunkSurfaceMaker {
   struct Input {
     const ExportedFacets& surface;
     const VertexNumbering* numbering = nullptr;  ///< null: vertices need no numbers
+    const SurfaceSheets* sheets = nullptr;       ///< null: the surface is not split
     const AssemblyOptions& options;
   };
 
@@ -43,6 +45,7 @@ class ChunkSurfaceMaker {
   ChunkSurfaceMaker(const Input& input, const StageContext& context)
       : surface_(input.surface),
         numbering_(input.numbering),
+        sheets_(input.sheets),
         options_(input.options),
         context_(context),
         scale_(input.options.range.scale().value_or(1)),
@@ -73,6 +76,7 @@ class ChunkSurfaceMaker {
 
   const ExportedFacets& surface_;
   const VertexNumbering* numbering_;
+  const SurfaceSheets* sheets_;
   const AssemblyOptions& options_;
   const StageContext& context_;
   const double scale_;  ///< of coordinates, for sums that neither overflow nor vanish

@@ -23,6 +23,7 @@ class SolidChunkExamination {
       : points_(points),
         scale_(points.range.scale().value_or(1)),
         predicates_(points.range.times(scale_)),
+        turned_(input.turned),
         stars_(input.own, input.border),
         first_(stars_.position(input.first)),
         end_(stars_.position(input.end)),
@@ -102,7 +103,7 @@ class SolidChunkExamination {
     pairs_.clear();
     if (uses.size() == 2) {
       if (stars_.rises(uses[0]) != stars_.rises(uses[1])) pairs_.push_back({0, 1});
-    } else if (uses.size() > 2) {
+    } else if (uses.size() > 2 && !find_turned_pairs(uses)) {
       sides_.clear();
       for (std::uint32_t i = 0; i < uses.size(); ++i) {
         sides_.push_back({crowded_point(apex(uses[i])), stars_.rises(uses[i]), i});
@@ -111,6 +112,23 @@ class SolidChunkExamination {
                              predicates_);
     }
     return pairs_;
+  }
+
+  /// Whether the edge is one where the inside does not decide.
+  bool find_turned_pairs(std::span<const EdgeUse> uses) {
+    const auto low = static_cast<ShortRank>(stars_.ranks[uses[0].low]);
+    const auto high = static_cast<ShortRank>(stars_.ranks[uses[0].high]);
+    const auto place_of = [&](ShortRank third) {
+      const auto at = std::find_if(uses.begin(), uses.end(), [&](const EdgeUse& use) {
+        return stars_.ranks[apex(use)] == third;
+      });
+      return static_cast<std::uint32_t>(at - uses.begin());
+    };
+    auto pair = std::lower_bound(turned_.begin(), turned_.end(), TurnedPair{low, high, {}});
+    for (; pair != turned_.end() && pair->low == low && pair->high == high; ++pair) {
+      pairs_.push_back({place_of(pair->thirds[0]), place_of(pair->thirds[1])});
+    }
+    return !pairs_.empty();
   }
 
   /// Joins what two triangles are around the ends of their edge, where these are the chunk's.
@@ -178,6 +196,7 @@ class SolidChunkExamination {
   const SolidPoints& points_;
   const double scale_;  ///< of coordinates, for the predicates
   const Predicates predicates_;
+  const std::span<const TurnedPair> turned_;
   const ChunkStars stars_;
   const std::uint32_t first_;  ///< positions of the chunk's own points, and their end
   const std::uint32_t end_;

@@ -16,6 +16,7 @@
 #include "engine/order/point_store.h"
 #include "engine/surface/chunk_facets.h"
 #include "engine/surface/chunk_pieces.h"
+#include "engine/surface/sheet_records.h"
 #include "spatial/coordinate_range.h"
 
 namespace stream_recon {
@@ -40,6 +41,8 @@ struct SolidChunkInput {
   std::span<const FacetRecord> border;  ///< of earlier chunks, any order
   PointRank first = 0;                  ///< of the chunk
   PointRank end = 0;
+  /// At edges of the chunk's points where others are joined than the inside says; sorted.
+  std::span<const TurnedPair> turned{};
 };
 
 /// Where the coordinates of points come from.

@@ -71,6 +71,7 @@ struct SurfaceCounts {
 /// What is known of the whole surface.
 struct SurfaceFacts {
   SurfaceCounts counts;
+  std::uint64_t samples = 0;     ///< that are vertices, each once even where it is split
   std::uint64_t components = 0;  ///< edge-connected pieces that are no cavities
   std::uint64_t cavities = 0;    ///< closed pieces that face inward; of solids only
   double area = 0;

@@ -4,6 +4,7 @@
 
 #include "engine/chunks/chunk_loop.h"
 #include "engine/surface/chunk_facets.h"
+#include "engine/surface/sheet_split.h"
 
 namespace stream_recon {
 namespace {
@@ -22,8 +23,10 @@ std::vector<Record> sorted_distinct(std::vector<Record> records) {
 
 }  // namespace
 
-VertexNumbering::VertexNumbering(const ExportedFacets& surface, const StageContext& context)
-    : context_(context),
+VertexNumbering::VertexNumbering(const ExportedFacets& surface, const SurfaceSheets* sheets,
+                                 const StageContext& context)
+    : sheets_(sheets),
+      context_(context),
       memory_(context.budget.reserve(surface.layout().chunk_count() * sizeof first_numbers_[0],
                                      "numbers of vertices")),
       known_("vertex_numbers", surface.layout().chunk_count(),
@@ -41,9 +44,11 @@ VertexNumbering::VertexNumbering(const ExportedFacets& surface, const StageConte
 void VertexNumbering::find_shares(const ExportedFacets& surface, ChunkSpool<Share>& shares) {
   for (std::uint64_t owner = 0; owner < surface.layout().chunk_count(); ++owner) {
     context_.stop.check();
-    const Reservation memory = context_.budget.reserve(
-        surface.border_points().count(owner) * sizeof(BorderPoint), "points at chunk borders");
-    const auto uses = sorted_distinct(surface.border_points().records(owner));
+    const std::uint64_t count =
+        sheets_ != nullptr ? sheets_->border_count(owner) : surface.border_points().count(owner);
+    const Reservation memory =
+        context_.budget.reserve(count * sizeof(BorderPoint), "points at chunk borders");
+    const auto uses = sorted_distinct(border_points(surface, owner));
     for (std::size_t i = 0; i < uses.size();) {
       const PointRank rank = uses[i].rank;
       const std::uint64_t first = uses[i].user;
@@ -55,6 +60,12 @@ void VertexNumbering::find_shares(const ExportedFacets& surface, ChunkSpool<Shar
       tell(owner);
     }
   }
+}
+
+std::vector<BorderPoint> VertexNumbering::border_points(const ExportedFacets& surface,
+                                                        std::uint64_t owner) const {
+  return sheets_ != nullptr ? sheets_->border_points(owner)
+                            : surface.border_points().records(owner);
 }
 
 void VertexNumbering::hand_out(const ExportedFacets& surface, const ChunkSpool<Share>& shares) {
@@ -86,6 +97,15 @@ VertexNumbering::ChunkNeeds VertexNumbering::find_needs(std::uint64_t chunk,
     add_vertices(surface.facets().records(chunk), points);
     needs.memory.resize(points.size() * sizeof(PointRank));
     needs.vertices = points.ranks();
+  }
+  if (sheets_ != nullptr) {
+    // The corners and their keys; then keys in place of ranks.
+    const Reservation memory = context_.budget.reserve(
+        sheets_->corner_count(chunk) * (sizeof(SheetCorner) + 2 * sizeof(SheetKey)) +
+            needs.vertices.size() * sizeof(SheetKey),
+        "numbering the sheets of a chunk (a smaller --chunk-points needs less)");
+    needs.vertices = split_vertices(needs.vertices, sheets_->corners(chunk));
+    needs.memory.resize(needs.vertices.capacity() * sizeof(SheetKey));
   }
   needs.memory.resize(needs.memory.bytes() + shares.count(chunk) * sizeof(Share));
   needs.shares = sorted_distinct(shares.records(chunk));

@@ -17,13 +17,16 @@
 #include "engine/chunks/chunk_spool.h"
 #include "engine/stage_context.h"
 #include "engine/surface/facet_export.h"
+#include "engine/surface/surface_sheets.h"
 
 namespace stream_recon {
 
 class VertexNumbering {
  public:
+  /// \param sheets null: the surface is not split; else vertices are keys of sheets, not ranks
   /// \throw IoError, BudgetError, Interrupted
-  VertexNumbering(const ExportedFacets& surface, const StageContext& context);
+  VertexNumbering(const ExportedFacets& surface, const SurfaceSheets* sheets,
+                  const StageContext& context);
 
   /// \param vertices all that the chunk's facets have, ascending \throw IoError, BudgetError
   std::vector<std::uint64_t> numbers_of(std::uint64_t chunk,
@@ -58,11 +61,13 @@ class VertexNumbering {
   };
 
   void find_shares(const ExportedFacets& surface, ChunkSpool<Share>& shares);
+  std::vector<BorderPoint> border_points(const ExportedFacets& surface, std::uint64_t owner) const;
   void hand_out(const ExportedFacets& surface, const ChunkSpool<Share>& shares);
   ChunkNeeds find_needs(std::uint64_t chunk, const ExportedFacets& surface,
                         const ChunkSpool<Share>& shares) const;
   void hand_out(std::uint64_t chunk, const ChunkNeeds& needs);
 
+  const SurfaceSheets* sheets_;
   const StageContext& context_;
   Reservation memory_;
   ChunkSpool<Known> known_;
