@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <mutex>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -26,35 +25,13 @@
 #include "tests/engine_fixture.h"
 #include "tests/mesh_oracle.h"
 #include "tests/point_families.h"
+#include "tests/recording_writer.h"
 #include "tests/sheet_oracle.h"
 
 namespace stream_recon {
 namespace {
 
 using Triangle = SheetOracle::Triangle;
-
-/// Keeps the chunks it is given.
-class ChunkKeeper : public SurfaceWriter {
- public:
-  explicit ChunkKeeper(bool in_order) : in_order_(in_order) {}
-
-  bool takes_chunks_in_order() const override { return in_order_; }
-  void write(std::uint64_t number, const SurfaceChunk& chunk) override {
-    const std::lock_guard lock(mutex_);
-    chunks.resize(std::max<std::size_t>(chunks.size(), number + 1));
-    chunks[number] = chunk;
-  }
-  std::uint64_t bytes_written() const override { return 0; }
-
-  std::vector<SurfaceChunk> chunks;
-
- private:
-  void complete() override {}
-  void publish() override {}
-
-  bool in_order_;
-  std::mutex mutex_;
-};
 
 /// What the windows leave behind: the point store, whose input indices are ten times the ranks, and
 /// the exported facets, shuffled.
@@ -101,7 +78,7 @@ struct AssemblyCase {
 
 Assembled assemble(const SheetOracle& oracle, const AssemblyCase& how = {}) {
   Exported exported(oracle.points(), oracle.records(), how.points_per_chunk);
-  ChunkKeeper keeper(how.in_order);
+  RecordingWriter keeper(how.in_order);
   const SurfaceFacts facts = exported.assemble(keeper, how.memory);
   return {facts, keeper.chunks};
 }
@@ -421,7 +398,7 @@ TEST(Sheets, OfASurfaceThatIsNotClosedAreRefused) {
   auto records = oracle.records();
   records.pop_back();
   Exported exported(oracle.points(), records, 1000);
-  ChunkKeeper keeper(false);
+  RecordingWriter keeper(false);
   EXPECT_THROW(exported.assemble(keeper), std::logic_error);
 }
 
