@@ -33,7 +33,7 @@ struct Kind {
 // The balls of `through_origin` all pass through the origin, as the balls of poles pass through a
 // sample: every power test is nearly zero.
 const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> kKinds = {
+  static const std::vector<Kind> all = {
       {"random",
        [](std::mt19937_64& r) {
          return WeightedPoint3{families::random_point(r), std::ldexp(double(r() % 1000), -10)};
@@ -64,7 +64,7 @@ const std::vector<Kind>& kinds() {
          const Point3 p = families::lattice_point(r, 3, 0x1p-20);
          return WeightedPoint3{{1e6 + p.x, -1e6 + p.y, 1e6 + p.z}, double(r() % 3) * 0x1p-40};
        }}};
-  return kKinds;
+  return all;
 }
 
 Sites draw(const Kind& kind, int count, std::uint64_t seed) {

@@ -32,7 +32,7 @@ double square(const Point3& p) {
 // Weights of the order of the squared distances, so that some sites are hidden; steps and lifted
 // ones make ties by the thousand.
 const std::vector<Weighting>& weightings() {
-  static const std::vector<Weighting> kWeightings = {
+  static const std::vector<Weighting> all = {
       {"equal", [](const Point3&, std::mt19937_64&) { return 1.0; }},
       {"random", [](const Point3& p, std::mt19937_64& r) { return square(p) * (r() % 100) / 256; }},
       {"heavy", [](const Point3& p, std::mt19937_64& r) { return square(p) * (r() % 64); }},
@@ -41,7 +41,7 @@ const std::vector<Weighting>& weightings() {
       {"lifted to a plane", [](const Point3& p, std::mt19937_64&) { return square(p); }},
       {"lifted to a plane, a few not",
        [](const Point3& p, std::mt19937_64& r) { return square(p) * (r() % 4 == 0 ? 1.5 : 1); }}};
-  return kWeightings;
+  return all;
 }
 
 Sites draw(const families::Family& family, const Weighting& weighting, int count,

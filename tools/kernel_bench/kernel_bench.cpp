@@ -141,6 +141,7 @@ KernelTimes time_kernel(const DistinctPoints& cloud) {
   Delaunay delaunay;
   const auto order = time_insertion(delaunay, cloud.points, cloud.points, times);
   std::vector<std::uint64_t> names;
+  names.reserve(order.size());
   for (const KeyedNumber& entry : order) names.push_back(cloud.indices[entry.number]);
   count_tetrahedra(delaunay, names, times);
   return times;
@@ -159,6 +160,7 @@ KernelTimes time_regular_kernel(const PoleCloud& poles) {
   const auto order = time_insertion(regular, poles, poles.sites, times);
   times.hidden = regular.hidden_count();
   std::vector<std::uint64_t> names;
+  names.reserve(order.size());
   for (const KeyedNumber& entry : order) names.push_back(entry.number);
   count_tetrahedra(regular, names, times);
   return times;

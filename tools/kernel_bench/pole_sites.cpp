@@ -96,6 +96,7 @@ std::vector<WeightedPoint3> pole_sites(const std::vector<Point3>& points) {
   std::sort(poles.begin(), poles.end());
   poles.erase(std::unique(poles.begin(), poles.end()), poles.end());
   std::vector<WeightedPoint3> sites;
+  sites.reserve(poles.size());
   for (const CellId cell : poles) sites.push_back(site_of(cells, cell));
   std::sort(sites.begin(), sites.end(), [](const WeightedPoint3& a, const WeightedPoint3& b) {
     return a.point == b.point ? a.weight > b.weight : a.point < b.point;
