@@ -11,7 +11,9 @@ StarBalls::StarBalls(const FinalWindow& window, double scale)
   find_cells(window);
   balls_.reserve(count());
   cells_.for_each([&](CellId cell) { view_.prefetch_points(cell); },
-                  [&](CellId cell) { balls_.push_back(ball_of({window, view_, cell})); });
+                  [&](CellId cell) {
+                    balls_.push_back(ball_of({window, view_, cell}));
+                  });
 }
 
 void StarBalls::find_cells(const FinalWindow& window) {

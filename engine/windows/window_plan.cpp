@@ -16,7 +16,7 @@ using namespace index_layout;
 /// What a window is expected to need for each point it owns, guests included; where that is too
 /// little it is split.
 constexpr std::uint64_t kBytesAnOwnedPoint = 700;
-constexpr std::uint64_t kBytesAWholeStar = 840;
+constexpr std::uint64_t kBytesAWholeStar = 900;
 
 /// Windows below this size are mostly guests: rather fewer threads.
 constexpr std::uint64_t kSmallWindow = std::uint64_t{24} << 20;
