@@ -1,11 +1,12 @@
 #include "spatial/facet_balls.h"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "spatial/binary128.h"
 
 namespace stream_recon {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 // The same formulas climb a ladder: double, long double, 113 bits, rational; a rung is believed
 // when its forward error bound is within kTolerance of the ball's radius.
 
-using Quad = boost::multiprecision::cpp_bin_float_quad;
+using Quad = Binary128;
 using Rational = boost::multiprecision::cpp_rational;
 
 constexpr double kTolerance = 1e-10;
