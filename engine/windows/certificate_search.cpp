@@ -153,11 +153,11 @@ void CertificateSearch::descend_top(std::size_t level, std::uint64_t node, std::
 // found since have cut off.
 void CertificateSearch::enter_page(std::uint64_t page, std::size_t depth) {
   frame_ = ListFrame(index_.top[0][page]);
-  shell_ = index_.shells.pages[page];
+  const Shell& shell = index_.shells.pages[page];
   const BallList& from = *lists_[depth];
   BallList& to = *lists_[depth + 1];
   to.count = 0;
-  for (std::size_t i = 0; i < from.count; ++i) to.push(region(from.id[i], shell_), from.id[i]);
+  for (std::size_t i = 0; i < from.count; ++i) to.push(region(from.id[i], shell), from.id[i]);
   nodes_ = &reader_.nodes(page);
   descend_page(page, 0, depth + 1);
   frame_ = top_frame_;
@@ -175,17 +175,17 @@ void CertificateSearch::descend_page(std::uint64_t page, std::uint32_t node, std
   }
 }
 
-void CertificateSearch::Leaf::set_heights(const Sphere& of_page) {
-  sphere = &of_page;
+void CertificateSearch::Leaf::set_heights(std::uint32_t number_of, const Sphere& of) {
+  if (sphere == number_of) return;
+  sphere = number_of;
   for (std::size_t i = 0; i < kLeafPoints; ++i) {
-    heights[i] = height_over(of_page, page.scaled_point(offset + i));
+    heights[i] = height_over(of, page.scaled_point(offset + i));
   }
 }
 
 void CertificateSearch::search_leaf(LeafNumber leaf, const BallList& balls) {
   const PointRank first = leaf * kLeafPoints;
   Leaf points{leaf, reader_.points_at(first), first % PointPage::kPoints};
-  if (shell_.exists()) points.set_heights(index_.shells.spheres[shell_.sphere]);
   for (std::size_t i = 0; i < balls.count; ++i) {
     const std::uint32_t id = balls.id[i];
     if (id < kFirstHalfSpace) {
@@ -196,13 +196,17 @@ void CertificateSearch::search_leaf(LeafNumber leaf, const BallList& balls) {
   }
 }
 
-void CertificateSearch::search_leaf(const Leaf& leaf, BallQuery& query) {
+void CertificateSearch::search_leaf(Leaf& leaf, BallQuery& query) {
   const PointPage& page = leaf.page;
   powers_of_points(query.ball, leaf.columns(), powers_);
-  if (leaf.sphere != nullptr && query.sphere == shell_.sphere && query.cut.is_known()) {
-    sharpen_powers(*leaf.sphere, query.cut, leaf.columns(), leaf.heights, powers_);
-  }
   if (!(powers_.least < query.best)) return;
+  // Also in a page without a shell there may be points of the sphere.
+  if (query.sphere != Shell::kNone && query.cut.is_known()) {
+    const Sphere& sphere = index_.shells.spheres[query.sphere];
+    leaf.set_heights(query.sphere, sphere);
+    sharpen_powers(sphere, query.cut, leaf.columns(), leaf.heights, powers_);
+    if (!(powers_.least < query.best)) return;
+  }
   LeafNumber& conflict = conflicts_[query.place];
   for (std::size_t i = 0; i < kLeafPoints; ++i) {
     const double power = powers_.power[i];

@@ -88,10 +88,10 @@ class CertificateSearch {
     index_layout::LeafNumber number;
     const PointPage& page;
     std::size_t offset;  ///< of its first point in the page
-    const Sphere* sphere = nullptr;
+    std::uint32_t sphere = Shell::kNone;
     LeafHeights heights{};  ///< over the sphere
 
-    void set_heights(const Sphere& of_page);
+    void set_heights(std::uint32_t number_of, const Sphere& of);
     PointColumns columns() const { return {&page.x[offset], &page.y[offset], &page.z[offset]}; }
   };
 
@@ -104,7 +104,7 @@ class CertificateSearch {
   void descend_page(std::uint64_t page, std::uint32_t node, std::size_t depth);
   bool narrow(const NodeBounds& bounds, const index_layout::LeafRange& leaves, std::size_t depth);
   void search_leaf(index_layout::LeafNumber leaf, const BallList& balls);
-  void search_leaf(const Leaf& leaf, BallQuery& query);
+  void search_leaf(Leaf& leaf, BallQuery& query);
   void search_leaf(const Leaf& leaf, HalfSpaceQuery& query);
 
   const CloudIndex& index_;
@@ -119,7 +119,6 @@ class CertificateSearch {
   ListFrame top_frame_;
   ListFrame frame_;  ///< of the lists at work
   const NodePage* nodes_ = nullptr;
-  Shell shell_;  ///< of the page at work
   PointPowers powers_;
   SearchCounts counts_;
 };
