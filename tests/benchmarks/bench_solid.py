@@ -57,7 +57,7 @@ def all_cases(points):
     grids = [(sampling, step) for sampling in ("crossings", "faces", "centres") for step in (1, 2, 4)]
     scattered = [("random", 1), ("noisy", 1)]
     few = [("random", 1), ("noisy", 1), ("crossings", 2), ("faces", 1), ("centres", 1)]
-    cases = [Case("sponge", *how, points) for how in scattered + grids]
+    cases = [Case(solid, *how, points) for solid in ("folds", "sponge") for how in scattered + grids]
     for solid in ("blob", "torus", "folded", "plate@4", "uneven"):
         cases += [Case(solid, *how, points) for how in few]
     # Samples exactly on one sphere cost the search the square of their number.
