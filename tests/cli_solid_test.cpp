@@ -80,8 +80,8 @@ TEST(Solid, OfSmoothBodiesGoesThroughEverySample) {
   const CommandFolder folder;
   for (const std::string cloud : {"blob -n 20000", "blob -n 20000 --sampling crossings",
                                   "blob -n 20000 --sampling faces --slice-step 4"}) {
-    make(folder, cloud + " -o cloud.ply");
-    const auto surface = solid_of(folder, "cloud.ply");
+    make(folder, cloud + " -o cloud.pts");  // carries the grid's spacing
+    const auto surface = solid_of(folder, "cloud.pts");
     EXPECT_EQ(surface["boundary_edges"], 0) << cloud;
     EXPECT_EQ(surface["nonmanifold_edges"], 0) << cloud;
     EXPECT_EQ(surface["euler"], 2) << cloud;
