@@ -9,8 +9,8 @@ namespace stream_recon {
 namespace {
 
 /// Windows and balls of so many spacings and more count in full. Chosen on known shapes, see
-/// docs/decisions/0016-evidence.md.
-constexpr double kFullWindow = 0.5;
+/// docs/decisions/0016-evidence.md and 0018-no-second-step.md.
+constexpr double kFullWindow = 0.42;
 constexpr double kFullBall = 1;
 
 double share_of(double size, double full) {

@@ -56,7 +56,7 @@ double plain_strength(const FacetBalls& balls, double spacing) {
   const double cosine =
       is_hull ? f / std::hypot(1, f) : (f * s - 1) / (std::hypot(1, f) * std::hypot(1, s));
   const double window = balls.radius * std::hypot(1, std::min({f, s, 0.0}));
-  return -cosine * std::min(1.0, window / (0.5 * spacing));
+  return -cosine * std::min(1.0, window / (0.42 * spacing));
 }
 
 TEST(SideEvidence, OfAFacetIsThatOfTheHeightsOfItsBalls) {
