@@ -26,10 +26,6 @@ bool is_shared(const FinalWindow& window, const std::array<VertexId, 4>& v) {
   return !window.owns_vertex(std::max(std::max(v[0], v[1]), std::max(v[2], v[3])));
 }
 
-bool has_owned(const FinalWindow& window, const std::array<VertexId, 4>& v) {
-  return window.owns_vertex(std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
-}
-
 NodeKey key_of(const RankedCell& cell) {
   NodeKey key;
   for (int i = 0; i < 4; ++i) key.ranks[i] = static_cast<std::uint32_t>(cell.ranks[i]);

@@ -1,7 +1,6 @@
 #include "engine/poles/star_balls.h"
 
-#include <algorithm>
-
+#include "engine/windows/final_simplices.h"
 #include "spatial/circumball.h"
 
 namespace stream_recon {
@@ -19,9 +18,7 @@ StarBalls::StarBalls(const FinalWindow& window, double scale)
 void StarBalls::find_cells(const FinalWindow& window) {
   for (CellId cell = 0; cell < view_.slots(); ++cell) {
     if (!view_.is_live(cell)) continue;
-    const auto v = view_.vertices(cell);
-    const VertexId first = std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
-    if (!window.owns_vertex(first)) continue;
+    if (!has_owned(window, view_.vertices(cell))) continue;
     if (view_.is_infinite(cell)) {
       ++infinite_count_;
     } else {

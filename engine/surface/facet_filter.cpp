@@ -72,7 +72,7 @@ class FacetPass {
   void visit_block() {
     block_.clear();
     for (CellId cell = begin_; cell < end_; ++cell) {
-      if (!cells_.is_live(cell) || !has_owned_vertex(cell)) continue;
+      if (!cells_.is_live(cell) || !has_owned(window_, cells_.vertices(cell))) continue;
       if (cells_.is_infinite(cell)) {
         visit_hull(cell);
       } else {
@@ -102,11 +102,6 @@ class FacetPass {
   }
 
   const CellBall& ball_of(CellId cell) const { return balls_[place_[cell - begin_]]; }
-
-  bool has_owned_vertex(CellId cell) const {
-    const auto v = cells_.vertices(cell);
-    return window_.owns_vertex(std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
-  }
 
   /// From an infinite cell: its finite facet waits if the cell behind it will not look at it.
   void visit_hull(CellId cell) {
