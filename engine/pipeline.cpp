@@ -241,6 +241,7 @@ class Pipeline {
                        .rounds = totals.counts.rounds,
                        .queries = totals.counts.search.queries,
                        .node_visits = totals.counts.search.node_visits,
+                       .exact_tests = totals.counts.search.exact_tests,
                        .insert_seconds = totals.counts.insert_seconds,
                        .search_seconds = totals.counts.search_seconds};
   }

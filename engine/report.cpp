@@ -83,6 +83,7 @@ std::string to_json(const Report& report) {
         {"rounds", report.windows.rounds},
         {"queries", report.windows.queries},
         {"node_visits", report.windows.node_visits},
+        {"exact_tests", report.windows.exact_tests},
         {"insert_seconds", report.windows.insert_seconds},
         {"search_seconds", report.windows.search_seconds}}},
       {"peak_rss_bytes", report.peak_rss_bytes},

@@ -70,6 +70,7 @@ struct Report {
     std::uint64_t rounds = 0;       ///< of all windows
     std::uint64_t queries = 0;      ///< cells asked about
     std::uint64_t node_visits = 0;  ///< cells tested against nodes of the index
+    std::uint64_t exact_tests = 0;  ///< points that doubles could not tell from in conflict
     double insert_seconds = 0;      ///< inside windows, sum over threads
     double search_seconds = 0;
   } windows;

@@ -30,6 +30,9 @@ class BasicCellView {
   bool is_live(CellId c) const { return !detail::is_dead(parts_.cells[c]); }
   bool is_infinite(CellId c) const { return detail::is_infinite(parts_.cells[c]); }
 
+  /// The cell is asked about soon.
+  void prefetch(CellId c) const { __builtin_prefetch(&parts_.cells[c]); }
+
   VertexId vertex(CellId c, int i) const {
     // Infinity, 0 inside, becomes kInfinite by wrapping around; the mark of the dead goes as well.
     return (parts_.cells[c].vertex[i] - 1) & Delaunay::kInfinite;
@@ -50,6 +53,10 @@ class BasicCellView {
 
   /// Whether the points are stored as they are.
   bool is_unscaled() const { return parts_.scale == 1; }
+  /// The corners of a cell are asked for soon.
+  void prefetch_points(CellId c) const {
+    for (int i = 0; i < 4; ++i) __builtin_prefetch(&stored_point(vertex(c, i)));
+  }
   /// The point as stored: multiplied by the scale.
   const Site& stored_point(VertexId v) const { return parts_.points[v + 1]; }
   Site point(VertexId v) const { return scaled(stored_point(v), unscale_); }

@@ -1,14 +1,13 @@
 #include "spatial/circumball.h"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 
+#include "spatial/binary128.h"
+
 namespace stream_recon {
 namespace {
-
-using Quad = boost::multiprecision::cpp_bin_float_quad;
 
 // A centre this well known, in units of the radius, makes the search no slower.
 constexpr double kTolerance = 1e-8;
@@ -21,10 +20,12 @@ struct Vector {
 /// (p - a) 2^exponent
 template <class T>
 Vector<T> difference(const Point3& p, const Point3& a, int exponent) {
-  using std::ldexp;
   Vector<T> d{T(p.x) - T(a.x), T(p.y) - T(a.y), T(p.z) - T(a.z)};
   if (exponent == 0) return d;
-  return {ldexp(d.x, exponent), ldexp(d.y, exponent), ldexp(d.z, exponent)};
+  // One power of two may be beyond the doubles.
+  const T half = T(std::ldexp(1.0, exponent / 2));
+  const T rest = T(std::ldexp(1.0, exponent - exponent / 2));
+  return {d.x * half * rest, d.y * half * rest, d.z * half * rest};
 }
 
 // Edges in this range can be raised to the fourth power, and that times a rounding, in doubles.
@@ -104,7 +105,7 @@ Circumball circumball(const std::array<Point3, 4>& tetrahedron) {
     ball =
         solve<long double>(tetrahedron, exponent, std::numeric_limits<long double>::epsilon() / 2);
   }
-  if (!is_good(ball)) ball = solve<Quad>(tetrahedron, exponent, 0x1p-113);
+  if (!is_good(ball)) ball = solve<Binary128>(tetrahedron, exponent, 0x1p-113);
   if (exponent != 0) {
     ball.centre = {std::ldexp(ball.centre.x, -exponent), std::ldexp(ball.centre.y, -exponent),
                    std::ldexp(ball.centre.z, -exponent)};

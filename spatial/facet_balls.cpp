@@ -1,11 +1,12 @@
 #include "spatial/facet_balls.h"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "spatial/binary128.h"
 
 namespace stream_recon {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 // The same formulas climb a ladder: double, long double, 113 bits, rational; a rung is believed
 // when its forward error bound is within kTolerance of the ball's radius.
 
-using Quad = boost::multiprecision::cpp_bin_float_quad;
+using Quad = Binary128;
 using Rational = boost::multiprecision::cpp_rational;
 
 constexpr double kTolerance = 1e-10;
@@ -126,9 +127,21 @@ double largest_offset(const std::array<Point3, 3>& facet) {
   return largest;
 }
 
+/// Whether the radius is within 1e-11 of itself: the normal is within 8 roundings of the product.
+template <class T>
+bool knows_radius(const FacetFrame<T>& frame, double unit_roundoff) {
+  const double normal = std::sqrt(static_cast<double>(frame.normal_squared));
+  return normal > 0x1p40 * unit_roundoff * frame.product;
+}
+
 /// The facet's radius from the first rung that knows its normal well enough.
 double facet_radius(const std::array<Point3, 3>& facet, const FacetFrame<double>& frame) {
+  constexpr double kExtended = std::numeric_limits<long double>::epsilon() / 2;
   if (std::sqrt(frame.normal_squared) > 1e-4 * frame.product) return frame.radius();
+  const FacetFrame<long double> extended(facet);
+  if (knows_radius(extended, kExtended)) return extended.radius();
+  const FacetFrame<Quad> quad(facet);
+  if (knows_radius(quad, 0x1p-113)) return quad.radius();
   return FacetFrame<Rational>(facet).radius();
 }
 

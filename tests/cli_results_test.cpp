@@ -142,7 +142,7 @@ TEST(Results, ProgressGoesToStandardErrorOnly) {
   const Outcome json = folder.run("stream-recon cloud.ply -o out.vtk --progress json");
   EXPECT_EQ(json.out, "");
   EXPECT_THAT(json.error, HasSubstr("\"stage\":\"delaunay\""));
-  const Outcome silent = folder.run("stream-recon cloud.ply -o - ");
+  const Outcome silent = folder.run("stream-recon cloud.ply -o - --scratch .");
   EXPECT_EQ(silent.error, "");
   EXPECT_EQ(silent.out.substr(0, 3), "ply");
 }

@@ -52,12 +52,36 @@ TEST(Solid, OfTheSpongeHasItsFortyTwoHandles) {
   EXPECT_GE(surface["samples_on_surface"], 60000 * 0.995);
 }
 
+TEST(Solid, OfRoundedFoldsHasExactlyItsHandlesIfSamplesAreClean) {
+  const CommandFolder folder;
+  for (const std::string samples : {"random", "crossings --slice-step 2"}) {
+    make(folder, "folds -n 60000 --sampling " + samples + " -o cloud.ply");
+    const auto surface = solid_of(folder, "cloud.ply --memory 128M");
+    EXPECT_EQ(surface["boundary_edges"], 0) << samples;
+    EXPECT_EQ(surface["nonmanifold_edges"], 0) << samples;
+    EXPECT_EQ(surface["components"], 1) << samples;
+    EXPECT_EQ(surface["euler"], -82) << samples;
+    EXPECT_GE(surface["samples_on_surface"], 60000 * 0.998) << samples;
+  }
+}
+
+TEST(Solid, OfRoundedFoldsHasNearlyItsHandlesOnVoxelsAndInNoise) {
+  const CommandFolder folder;
+  for (const std::string samples : {"noisy", "faces --slice-step 1", "faces --slice-step 2",
+                                    "centres --slice-step 1", "centres --slice-step 2"}) {
+    make(folder, "folds -n 60000 --sampling " + samples + " -o cloud.ply");
+    const auto surface = solid_of(folder, "cloud.ply --memory 128M");
+    EXPECT_EQ(surface["boundary_edges"], 0) << samples;
+    EXPECT_NEAR(surface["euler"].get<double>(), -82, 8) << samples;
+  }
+}
+
 TEST(Solid, OfSmoothBodiesGoesThroughEverySample) {
   const CommandFolder folder;
   for (const std::string cloud : {"blob -n 20000", "blob -n 20000 --sampling crossings",
                                   "blob -n 20000 --sampling faces --slice-step 4"}) {
-    make(folder, cloud + " -o cloud.ply");
-    const auto surface = solid_of(folder, "cloud.ply");
+    make(folder, cloud + " -o cloud.pts");  // carries the grid's spacing
+    const auto surface = solid_of(folder, "cloud.pts");
     EXPECT_EQ(surface["boundary_edges"], 0) << cloud;
     EXPECT_EQ(surface["nonmanifold_edges"], 0) << cloud;
     EXPECT_EQ(surface["euler"], 2) << cloud;

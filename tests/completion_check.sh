@@ -86,7 +86,7 @@ expect "component" mesh-preview surface.pvtp --color c
 
 expect "ply xyz f32 f64 pts" make-cloud cube --format ''
 expect "float double" make-cloud cube --scalar ''
-expect "folded" make-cloud fo
+expect "folded folds" make-cloud fo
 kinds=$(make-cloud --help | sed -n '/^Kinds:/,$p' | awk '/^  / { print $1 }' | one_line)
 [[ $kinds == *cube*shell* ]] || { echo "no kinds found"; failed=1; }
 expect "$kinds" make-cloud ''

@@ -145,6 +145,14 @@ INSTANTIATE_TEST_SUITE_P(
                      cloud.push_back({0, 0, 0});
                      return cloud;
                    }},
+        NamedCloud{"sphere_of_floats_far_from_the_origin",
+                   [] {
+                     return from_parameters(1500, [](int, auto& random) {
+                       const Point3 p = on_sphere(random);
+                       return Point3{static_cast<float>(100 + p.x), static_cast<float>(p.y - 50),
+                                     static_cast<float>(p.z)};
+                     });
+                   }},
         NamedCloud{"skew_lines",
                    [] {
                      return from_parameters(240, [](int i, auto&) {
@@ -205,6 +213,39 @@ INSTANTIATE_TEST_SUITE_P(
                      });
                    }}),
     [](const auto& test) { return test.param.name; });
+
+/// Two unit spheres, a multiple of `apart` from each other; one where it is 0.
+Cloud on_spheres(double apart) {
+  return from_parameters(20000, [apart](int i, auto& random) {
+    const Point3 p = on_sphere(random);
+    return Point3{p.x + i % 2 * apart, p.y, p.z};
+  });
+}
+
+TEST(WindowWork, OfPointsOnASphereIsAsOfAnyOtherSurface) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "counts the same with a sanitizer";
+#endif
+  for (const double apart : {0.0, 5.0}) {
+    for (const bool rounds : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "apart " << apart << ", floats " << rounds);
+      const TestFolder folder;
+      Cloud cloud = on_spheres(apart);
+      for (Point3& p : cloud) {
+        if (rounds) p = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+      }
+      RunOptions options = options_for(folder, write_cloud(folder, cloud));
+      options.window_points = 5000;
+      const Report report = reconstruct(options);
+      EXPECT_EQ(report.delaunay.digest, digest_in_core(cloud));
+      const auto queries = static_cast<double>(report.windows.queries);
+      // Hundreds, and thousands, where every ball meets every point; one page has both spheres.
+      const double exact_tests = apart == 0 ? 2 : 80;
+      EXPECT_LT(static_cast<double>(report.windows.node_visits), (apart == 0 ? 30 : 60) * queries);
+      EXPECT_LT(static_cast<double>(report.windows.exact_tests), exact_tests * queries);
+    }
+  }
+}
 
 TEST(WindowLimits, AStarThatDoesNotFitIsRefusedWithTheNumbers) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

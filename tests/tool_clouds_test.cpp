@@ -60,8 +60,9 @@ TEST(Clouds, EveryKindKeepsItsBits) {
       {"line", 0xc3e72c2e180ff2dfU},      {"plane", 0x39668a2832dee6b6U},
       {"circle", 0x3d245b094c57b5c7U},    {"helix", 0xd8a5635181dd1bdeU},
       {"skew", 0x8384380e73e12405U},      {"sponge", 0xe0811a22bdab49ddU},
-      {"nested", 0x595c93347c966685U},    {"pair", 0x959966ae796058b2U},
-      {"plate", 0x11dfdfe5591c3e40U},     {"uneven", 0x921e502b61b5190dU},
+      {"folds", 0x848cba314f273bd5U},     {"nested", 0x595c93347c966685U},
+      {"pair", 0x959966ae796058b2U},      {"plate", 0x11dfdfe5591c3e40U},
+      {"uneven", 0x921e502b61b5190dU},
   };
   for (const CloudKind& kind : cloud_kinds()) {
     SCOPED_TRACE(kind.name);
@@ -103,7 +104,7 @@ TEST(Clouds, PortionsDoNotChangeThePoints) {
 
 TEST(Clouds, SeedsMakeDifferentClouds) {
   for (const char* kind : {"cube", "sphere", "ellipsoid", "blob", "torus", "folded", "sponge",
-                           "nested", "pair", "plate", "uneven", "line", "plane"})
+                           "folds", "nested", "pair", "plate", "uneven", "line", "plane"})
     EXPECT_NE(points_of({kind, 10, 1}), points_of({kind, 10, 2})) << kind;
 }
 

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "spatial/vector.h"
 #include "tests/benchmarks/label_error.h"
+#include "tests/benchmarks/sample_distance.h"
 #include "tests/benchmarks/sample_match.h"
 #include "tools/clouds/trigonometry.h"
 
@@ -150,6 +152,22 @@ TEST(SolidQuality, SamplesAreMatchedByTheirCoordinates) {
   EXPECT_EQ(match.samples, 4U);
   EXPECT_EQ(match.matched, 2U);
   EXPECT_EQ(match.added_vertices, 1U);
+}
+
+TEST(SampleDistance, IsHowFarSamplesWereMovedEitherWay) {
+  for (const std::string name : {"sphere", "torus", "blob", "folds"}) {
+    const auto solid = make_solid({name});
+    Random random(4);
+    for (const double moved : {0.01, -0.01}) {
+      std::vector<Point3> samples;
+      while (samples.size() < 500) {
+        const auto p = solid->try_surface_point(random);
+        if (p) samples.push_back(plus(*p, scaled(solid->outward_normal(*p), moved)));
+      }
+      EXPECT_NEAR(mean_distance(*solid, samples, 0.1), 0.01, 1e-4) << name << moved;
+      EXPECT_NEAR(mean_distance(*solid, samples, 0.001), 0.001, 1e-12) << "the reach bounds it";
+    }
+  }
 }
 
 }  // namespace

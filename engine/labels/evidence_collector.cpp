@@ -10,6 +10,10 @@
 #include "engine/labels/evidence_export.h"
 #include "engine/labels/signed_forest.h"
 #include "engine/labels/window_evidence.h"
+#include "engine/node_set.h"
+#include "engine/poles/ranked_cell.h"
+#include "engine/poles/star_balls.h"
+#include "engine/surface/ranked_facet.h"
 #include "engine/windows/export_writer.h"
 #include "engine/windows/final_simplices.h"
 #include "spatial/gamma_facet.h"
@@ -22,47 +26,57 @@ bool is_shared(const FinalWindow& window, const std::array<VertexId, 4>& v) {
   return !window.owns_vertex(std::max(std::max(v[0], v[1]), std::max(v[2], v[3])));
 }
 
-bool has_owned(const FinalWindow& window, const std::array<VertexId, 4>& v) {
-  return window.owns_vertex(std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
-}
-
-NodeKey key_of(const FinalWindow& window, const std::array<VertexId, 4>& v) {
+NodeKey key_of(const RankedCell& cell) {
   NodeKey key;
-  for (int i = 0; i < 4; ++i) key.ranks[i] = static_cast<std::uint32_t>(window.rank(v[i]));
-  std::sort(key.ranks.begin(), key.ranks.end());
+  for (int i = 0; i < 4; ++i) key.ranks[i] = static_cast<std::uint32_t>(cell.ranks[i]);
   return key;
 }
 
 class Collection {
  public:
-  Collection(const FinalWindow& window, std::vector<float> spacing, ExportWriter& out)
+  Collection(const FinalWindow& window, const StarBalls& balls, std::vector<float> spacing,
+             ExportWriter& out)
       : window_(window),
         cells_(window.delaunay().view()),
+        nodes_(balls.cells()),
+        scale_(balls.scale()),
         out_(out),
         spacing_(std::move(spacing)),
-        evidence_(window, spacing_) {}
+        evidence_(window, spacing_, balls) {}
 
+  /// The balls are no longer needed.
   void run(const StopRequest& stop) {
     stop.check();
     contract();
     stop.check();
     export_border();
     stop.check();
-    for_each_final_facet(window_, {0, cells_.slots()},
-                         [this](CellId cell, int side) { export_facet(cell, side); });
+    const auto prepare = [this](CellId cell) {
+      for (int side = 0; side < 4; ++side) {
+        const CellId beyond = cells_.neighbor(cell, side);
+        if (beyond > cell) __builtin_prefetch(&attachment(beyond));
+      }
+    };
+    nodes_.for_each(prepare, [this](CellId cell) { export_facets(cell); });
     for (VertexId v = 0; v < window_.owned_count(); ++v) export_poles(v);
   }
 
  private:
+  std::uint32_t infinite_node() const { return nodes_.count(); }
+  std::uint32_t node(CellId cell) const {
+    return nodes_.contains(cell) ? nodes_.position(cell) : infinite_node();
+  }
+  const Attachment& attachment(CellId cell) const { return contraction_.attachments[node(cell)]; }
+
   /// All cells that another window may know, and the infinite node.
   NodeSet find_border() const {
-    NodeSet border(cells_.slots() + 1);
-    for (CellId cell = 0; cell < cells_.slots(); ++cell) {
-      if (!cells_.is_live(cell) || cells_.is_infinite(cell)) continue;
-      const auto v = cells_.vertices(cell);
-      if (has_owned(window_, v) && is_shared(window_, v)) border.insert(cell);
-    }
-    border.insert(evidence_.infinite_node());
+    NodeSet border(nodes_.count() + 1);
+    std::uint32_t number = 0;
+    nodes_.for_each([&](CellId cell) {
+      if (is_shared(window_, cells_.vertices(cell))) border.insert(number);
+      ++number;
+    });
+    border.insert(infinite_node());
     border.number();
     return border;
   }
@@ -76,26 +90,45 @@ class Collection {
   void export_border() {
     std::vector<NodeKey> keys;
     keys.reserve(border_.count());
-    for (CellId cell = 0; cell < cells_.slots(); ++cell) {
-      if (border_.contains(cell)) keys.push_back(key_of(window_, cells_.vertices(cell)));
-    }
+    std::uint32_t number = 0;
+    nodes_.for_each([&](CellId cell) {
+      if (border_.contains(number++)) keys.push_back(key_of(RankedCell(window_, cells_, cell)));
+    });
     keys.push_back(kInfiniteNode);
     export_evidence({window_.first_rank(), border_, keys}, contraction_, out_);
     contraction_.edges = {};
   }
 
-  void export_facet(CellId cell, int side) {
-    const Attachment inner = contraction_.attachments[cell];
-    const Attachment outer = contraction_.attachments[evidence_.node(cells_.neighbor(cell, side))];
-    if (inner == outer) return;
-    const RankedFacet facet(window_, cells_.facet(cell, side));
-    const FacetBalls balls = evidence_.balls(facet, cell, side);
+  /// Those that the window emits and whose two cells are not known to lie on the same side.
+  void export_facets(CellId cell) {
+    const Attachment inner = attachment(cell);
+    for (int side = 0; side < 4; ++side) {
+      const CellId beyond = cells_.neighbor(cell, side);
+      if (beyond < cell && nodes_.contains(beyond)) continue;
+      if (!emits(window_, cells_.facet(cell, side))) continue;
+      const Attachment outer = attachment(beyond);
+      if (inner != outer) export_facet({cell, side, inner, outer});
+    }
+  }
+
+  struct OpenFacet {
+    CellId cell;
+    int side;
+    Attachment inner;  ///< of the cell
+    Attachment outer;
+  };
+
+  void export_facet(const OpenFacet& open) {
+    const RankedFacet facet(window_, cells_.facet(open.cell, open.side));
+    const FacetBalls balls = balls_beside(cells_, facet, open.cell, open.side);
+    double spacing = 0;
+    for (const VertexId v : facet.vertices) spacing = std::max(spacing, double{spacing_[v]});
     CandidateFacet candidate;
     for (int i = 0; i < 3; ++i) candidate.ranks[i] = static_cast<std::uint32_t>(facet.ranks[i]);
     candidate.delta = static_cast<float>(gamma_angle(balls));
-    candidate.behind = facet.reversed ? outer : inner;
-    candidate.before = facet.reversed ? inner : outer;
-    candidate.closure = closure_code(static_cast<float>(balls.radius / evidence_.spacing(facet)));
+    candidate.behind = facet.reversed ? open.outer : open.inner;
+    candidate.before = facet.reversed ? open.inner : open.outer;
+    candidate.closure = closure_code(static_cast<float>(balls.radius * scale_ / spacing));
     candidate.source = gamma_.takes(balls) ? TriangleSource::kGamma : TriangleSource::kFill;
     out_.add(ExportKind::kCandidates, window_.first_rank(), candidate);
   }
@@ -106,8 +139,8 @@ class Collection {
     if (!pair.is_complete()) return;
     const bool is_hull = pair.first == PolePair::kInfinity;
     const Attachment first =
-        contraction_.attachments[is_hull ? evidence_.infinite_node() : pair.first];
-    const Attachment second = contraction_.attachments[pair.second];
+        is_hull ? contraction_.attachments[infinite_node()] : attachment(pair.first);
+    const Attachment second = attachment(pair.second);
     if (first.node == second.node && first.is_opposite != second.is_opposite) return;
     const auto rank = static_cast<std::uint32_t>(window_.rank(v));
     CandidateFacet candidate{.ranks = {rank, rank, rank}, .behind = first, .before = second};
@@ -116,6 +149,8 @@ class Collection {
 
   const FinalWindow& window_;
   const CellView cells_;
+  const NodeSet& nodes_;
+  const double scale_;
   ExportWriter& out_;
   const GammaCriterion gamma_{90};
   std::vector<float> spacing_;
@@ -131,13 +166,15 @@ void EvidenceCollector::consume(const FinalWindow& window, ExportWriter& out) {
   std::vector<float> spacing(vertices);
   {
     SpacingReader reader(spacings_);
-    for (VertexId v = 0; v < vertices; ++v) {
-      spacing[v] = static_cast<float>(reader.at(window.rank(v)));
-    }
+    for (VertexId v = 0; v < vertices; ++v) spacing[v] = reader.at(window.rank(v));
   }
-  Collection(window, std::move(spacing), out).run(stop_);
+  StarBalls balls(window, spacings_.scale());
+  Collection collection(window, balls, std::move(spacing), out);
+  balls.drop_centres();
+  collection.run(stop_);
 }
 
+// The forest comes when the centres are gone, what is exported when the entries are.
 std::uint64_t EvidenceCollector::memory(const FinalWindow& window) const {
   const CellView cells = window.delaunay().view();
   std::uint64_t border = 1;
@@ -149,11 +186,17 @@ std::uint64_t EvidenceCollector::memory(const FinalWindow& window) const {
     ++with_owned;
     border += is_shared(window, v) ? 1 : 0;
   }
-  const std::uint64_t beside_entries = border * (sizeof(NodeKey)) + evidence_export_memory(border);
+  const std::uint64_t entries = WindowEvidence::memory(with_owned, window.owned_count());
+  const std::uint64_t poles = StarPoles::memory(window.owned_count());
+  const std::uint64_t edges = border * sizeof(EvidenceEdge);
+  const std::uint64_t forest = SignedForest::memory(with_owned + 1);
+  const std::uint64_t evidence = StarBalls::centre_memory(with_owned) + entries;
+  const std::uint64_t contracting = entries + forest + edges;
+  const std::uint64_t exporting =
+      poles + forest + edges + border * sizeof(NodeKey) + evidence_export_memory(border);
   return SpacingReader::kMemory + window.delaunay().vertex_count() * sizeof(float) +
-         NodeSet::memory(cells.slots()) + SignedForest::memory(cells.slots()) +
-         border * sizeof(EvidenceEdge) +
-         std::max(WindowEvidence::memory(with_owned, window.owned_count()), beside_entries);
+         NodeSet::memory(cells.slots()) + NodeSet::memory(with_owned + 1) +
+         std::max(evidence, std::max(contracting, exporting));
 }
 
 }  // namespace stream_recon

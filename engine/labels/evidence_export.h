@@ -9,8 +9,8 @@
 #include <span>
 
 #include "engine/labels/evidence_records.h"
-#include "engine/labels/node_set.h"
 #include "engine/labels/signed_forest.h"
+#include "engine/node_set.h"
 #include "engine/windows/export_writer.h"
 #include "engine/windows/final_window.h"
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/labels/node_set.h"
 #include "engine/labels/signed_forest.h"
+#include "engine/node_set.h"
 #include "engine/order/stream_merger.h"
 #include "io/error.h"
 

@@ -17,7 +17,7 @@
 
 #include "engine/labels/attachment.h"
 #include "engine/labels/evidence_records.h"
-#include "engine/labels/node_set.h"
+#include "engine/node_set.h"
 
 namespace stream_recon {
 
@@ -33,6 +33,12 @@ class SignedForest {
   /// What is left of it for the whole: an edge between border nodes, with the same weight and tie,
   /// or nothing
   std::optional<EvidenceEdge> add(const EvidenceEdge& edge);
+
+  /// An edge of these nodes is taken soon.
+  void prefetch(const EvidenceEdge& edge) const {
+    __builtin_prefetch(&links_[edge.a]);
+    __builtin_prefetch(&links_[edge.b]);
+  }
 
   /// What every node hangs on. \pre No more edges; called once
   std::vector<Attachment> attachments() &&;

@@ -58,6 +58,7 @@ Json windows_json(const WindowProgress& progress) {
           {"rounds", totals.counts.rounds},
           {"queries", totals.counts.search.queries},
           {"node_visits", totals.counts.search.node_visits},
+          {"exact_tests", totals.counts.search.exact_tests},
           {"insert_seconds", totals.counts.insert_seconds},
           {"search_seconds", totals.counts.search_seconds},
           {"tetrahedra", totals.tetrahedra.count},
@@ -78,6 +79,7 @@ WindowProgress windows_from(const Json& json) {
   json.at("rounds").get_to(totals.counts.rounds);
   json.at("queries").get_to(totals.counts.search.queries);
   json.at("node_visits").get_to(totals.counts.search.node_visits);
+  json.at("exact_tests").get_to(totals.counts.search.exact_tests);
   json.at("insert_seconds").get_to(totals.counts.insert_seconds);
   json.at("search_seconds").get_to(totals.counts.search_seconds);
   json.at("tetrahedra").get_to(totals.tetrahedra.count);

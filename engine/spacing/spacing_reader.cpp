@@ -27,7 +27,7 @@ std::uint64_t SpacingCache::memory(std::uint64_t point_count, unsigned readers,
 
 SpacingCache::SpacingCache(const ScratchDirectory& scratch, const CloudIndex& index,
                            std::uint64_t memory)
-    : unscale_(1 / index.scale),
+    : scale_(index.scale),
       file_(scratch.open(kSpacings)),
       pages_(std::max<std::uint64_t>(1, memory / kPageBytes)) {}
 

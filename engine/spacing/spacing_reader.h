@@ -35,10 +35,13 @@ class SpacingCache {
   /// Of what measure_spacing() wrote for the index. \throw IoError
   SpacingCache(const ScratchDirectory& scratch, const CloudIndex& index, std::uint64_t memory);
 
+  /// Of spacings over lengths of the input: CloudIndex::scale.
+  double scale() const { return scale_; }
+
  private:
   friend class SpacingReader;
 
-  double unscale_;
+  double scale_;
   RecordFile<float> file_;
   PageCache<SpacingPage> pages_;
 };
@@ -49,11 +52,11 @@ class SpacingReader {
 
   explicit SpacingReader(SpacingCache& cache) : cache_(cache) {}
 
-  /// Units of the input, positive. \pre There is such a point. \throw IoError
-  double at(PointRank rank) {
+  /// Scaled (CloudIndex::scale), positive. \pre There is such a point. \throw IoError
+  float at(PointRank rank) {
     const std::uint64_t page = rank / SpacingPage::kPoints;
     if (page != page_) load(page);
-    return pin_->spacing[rank % SpacingPage::kPoints] * cache_.unscale_;
+    return pin_->spacing[rank % SpacingPage::kPoints];
   }
 
  private:

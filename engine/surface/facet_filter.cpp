@@ -72,7 +72,7 @@ class FacetPass {
   void visit_block() {
     block_.clear();
     for (CellId cell = begin_; cell < end_; ++cell) {
-      if (!cells_.is_live(cell) || !has_owned_vertex(cell)) continue;
+      if (!cells_.is_live(cell) || !has_owned(window_, cells_.vertices(cell))) continue;
       if (cells_.is_infinite(cell)) {
         visit_hull(cell);
       } else {
@@ -102,11 +102,6 @@ class FacetPass {
   }
 
   const CellBall& ball_of(CellId cell) const { return balls_[place_[cell - begin_]]; }
-
-  bool has_owned_vertex(CellId cell) const {
-    const auto v = cells_.vertices(cell);
-    return window_.owns_vertex(std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
-  }
 
   /// From an infinite cell: its finite facet waits if the cell behind it will not look at it.
   void visit_hull(CellId cell) {
@@ -165,7 +160,7 @@ class FacetPass {
     if (cells_.is_infinite(inner.cell)) std::swap(inner, outer);
     const bool is_hull = cells_.is_infinite(outer.cell);
     const RankedFacet facet(window_, cells_.facet(inner.cell, inner.side));
-    const FacetBalls balls = accurate_balls(facet, inner, outer);
+    const FacetBalls balls = balls_beside(cells_, facet, inner.cell, inner.side);
     if (!is_sure && !criterion_.takes(balls)) return;
     FacetRecord record{facet.ranks, static_cast<float>(gamma_angle(balls)), output_.source};
     if (is_hull) record.facing = facet.reversed ? Facing::kInward : Facing::kOutward;
@@ -176,16 +171,6 @@ class FacetPass {
   void hand_over() {
     export_facets(taken_, output_.layout, output_.out);
     taken_.clear();
-  }
-
-  FacetBalls accurate_balls(const RankedFacet& facet, const Facet& inner,
-                            const Facet& outer) const {
-    const std::array<Point3, 3> corners{cells_.point(facet.vertices[0]),
-                                        cells_.point(facet.vertices[1]),
-                                        cells_.point(facet.vertices[2])};
-    const Point3 apex = cells_.point(cells_.vertex(inner.cell, inner.side));
-    if (cells_.is_infinite(outer.cell)) return hull_facet_balls(corners, apex);
-    return facet_balls(corners, apex, cells_.point(cells_.vertex(outer.cell, outer.side)));
   }
 
   const FinalWindow& window_;

@@ -14,6 +14,10 @@ using namespace index_layout;
 /// In the lists, half-spaces have numbers from here on.
 constexpr std::uint32_t kFirstHalfSpace = BallList::kMost;
 
+/// Of balls that are taken for half-spaces the centres are nearer to that of the sphere than a
+/// quarter of its radius: the square of twice that.
+constexpr double kNearSphere = 0.25;
+
 // The radius that no point in conflict is beyond, by the rounding of the ball itself and of the
 // coordinates of points and bounds.
 double search_radius(const Circumball& ball, double reach) {
@@ -61,30 +65,64 @@ void CertificateSearch::search(const Delaunay& delaunay, const Scope& scope,
 
 void CertificateSearch::add_query(CellId cell, std::uint32_t place) {
   conflicts_[place] = kFinal;
-  const auto v = delaunay_->vertices(cell);
-  std::array<Point3, 4> corners;
-  for (int i = 0; i < 3; ++i) corners[i] = delaunay_->point(v[i]);
   std::uint32_t id = 0;
-  if (v[3] == Delaunay::kInfinite) {
+  if (delaunay_->is_infinite(cell)) {
+    const auto v = delaunay_->vertices(cell);
     id = kFirstHalfSpace + static_cast<std::uint32_t>(half_spaces_.size());
     half_spaces_.push_back(
-        {place, cell, HalfSpace({corners[0], corners[1], corners[2]}, index_), 0});
+        {place, cell,
+         HalfSpace({delaunay_->point(v[0]), delaunay_->point(v[1]), delaunay_->point(v[2])},
+                   index_),
+         0});
   } else {
-    corners[3] = delaunay_->point(v[3]);
-    for (Point3& p : corners) p = scaled(p, index_.scale);
-    const Circumball ball = circumball(corners);
+    const Circumball ball = circumball(scaled_corners(cell));
     const double radius = search_radius(ball, index_.reach);
     id = static_cast<std::uint32_t>(balls_.size());
     balls_.push_back({place, cell, ball, plus(minus(ball.origin, index_.origin), ball.centre),
                       radius * radius, 0});
   }
-  lists_[0]->push(region(id, frame_), id);
+  lists_[0]->push(region(id, index_.shells.cloud), id);
 }
 
-Region CertificateSearch::region(std::uint32_t id, const ListFrame& frame) const {
-  if (id < kFirstHalfSpace) return ball_in(frame, balls_[id].centre, balls_[id].squared);
-  const HalfSpaceQuery& query = half_spaces_[id - kFirstHalfSpace];
-  return query.half_space.at_least(query.best, frame);
+std::array<Point3, 4> CertificateSearch::scaled_corners(CellId cell) const {
+  const auto v = delaunay_->vertices(cell);
+  std::array<Point3, 4> corners;
+  for (int i = 0; i < 4; ++i) corners[i] = scaled(delaunay_->point(v[i]), index_.scale);
+  return corners;
+}
+
+/// In the frame at work. \param shell of the points to be asked about
+Region CertificateSearch::region(std::uint32_t id, const Shell& shell) {
+  if (id >= kFirstHalfSpace) {
+    const HalfSpaceQuery& query = half_spaces_[id - kFirstHalfSpace];
+    return query.half_space.at_least(query.best, frame_);
+  }
+  BallQuery& query = balls_[id];
+  if (shell.exists()) {
+    if (const auto cut = cut_region(query, shell)) return *cut;
+  }
+  return ball_in(frame_, query.centre, query.squared);
+}
+
+/// The half-space that the ball is for the points of a shell, if it tells more than the ball.
+std::optional<Region> CertificateSearch::cut_region(BallQuery& query, const Shell& shell) {
+  const Sphere& sphere = index_.shells.spheres[shell.sphere];
+  if (query.sphere != shell.sphere) {
+    query.sphere = shell.sphere;
+    query.cut = cut_sphere(sphere, scaled_corners(query.cell));
+  }
+  const SphereCut& cut = query.cut;
+  if (!cut.is_known()) return std::nullopt;
+  const double size = length(cut.gradient);
+  // A ball much smaller than the sphere is not all of its half-space within the shell.
+  if (!(size > 0) || size * size > kNearSphere * sphere.squared_radius) return std::nullopt;
+  const Point3 corner = minus(cut.origin, index_.origin);
+  const double distance = length(minus(frame_.origin, corner)) + frame_.unit;
+  const double least = cut.at_origin + shell.low - query.best -
+                       cut.error(2 * (distance + index_.reach)) -
+                       2 * height_error(sphere, shell.low);
+  const Point3 normal = scaled(cut.gradient, -1 / size);
+  return half_space_in(frame_, normal, dot(normal, corner) + least / size);
 }
 
 // Fills the list of the next depth with the cells whose regions reach the node; whether there are
@@ -115,10 +153,11 @@ void CertificateSearch::descend_top(std::size_t level, std::uint64_t node, std::
 // found since have cut off.
 void CertificateSearch::enter_page(std::uint64_t page, std::size_t depth) {
   frame_ = ListFrame(index_.top[0][page]);
+  const Shell& shell = index_.shells.pages[page];
   const BallList& from = *lists_[depth];
   BallList& to = *lists_[depth + 1];
   to.count = 0;
-  for (std::size_t i = 0; i < from.count; ++i) to.push(region(from.id[i], frame_), from.id[i]);
+  for (std::size_t i = 0; i < from.count; ++i) to.push(region(from.id[i], shell), from.id[i]);
   nodes_ = &reader_.nodes(page);
   descend_page(page, 0, depth + 1);
   frame_ = top_frame_;
@@ -136,9 +175,17 @@ void CertificateSearch::descend_page(std::uint64_t page, std::uint32_t node, std
   }
 }
 
+void CertificateSearch::Leaf::set_heights(std::uint32_t number_of, const Sphere& of) {
+  if (sphere == number_of) return;
+  sphere = number_of;
+  for (std::size_t i = 0; i < kLeafPoints; ++i) {
+    heights[i] = height_over(of, page.scaled_point(offset + i));
+  }
+}
+
 void CertificateSearch::search_leaf(LeafNumber leaf, const BallList& balls) {
   const PointRank first = leaf * kLeafPoints;
-  const Leaf points{leaf, reader_.points_at(first), first % PointPage::kPoints};
+  Leaf points{leaf, reader_.points_at(first), first % PointPage::kPoints};
   for (std::size_t i = 0; i < balls.count; ++i) {
     const std::uint32_t id = balls.id[i];
     if (id < kFirstHalfSpace) {
@@ -149,11 +196,17 @@ void CertificateSearch::search_leaf(LeafNumber leaf, const BallList& balls) {
   }
 }
 
-void CertificateSearch::search_leaf(const Leaf& leaf, BallQuery& query) {
+void CertificateSearch::search_leaf(Leaf& leaf, BallQuery& query) {
   const PointPage& page = leaf.page;
-  powers_of_points(query.ball, {&page.x[leaf.offset], &page.y[leaf.offset], &page.z[leaf.offset]},
-                   powers_);
+  powers_of_points(query.ball, leaf.columns(), powers_);
   if (!(powers_.least < query.best)) return;
+  // Also in a page without a shell there may be points of the sphere.
+  if (query.sphere != Shell::kNone && query.cut.is_known()) {
+    const Sphere& sphere = index_.shells.spheres[query.sphere];
+    leaf.set_heights(query.sphere, sphere);
+    sharpen_powers(sphere, query.cut, leaf.columns(), leaf.heights, powers_);
+    if (!(powers_.least < query.best)) return;
+  }
   LeafNumber& conflict = conflicts_[query.place];
   for (std::size_t i = 0; i < kLeafPoints; ++i) {
     const double power = powers_.power[i];
@@ -162,6 +215,7 @@ void CertificateSearch::search_leaf(const Leaf& leaf, BallQuery& query) {
     if (conflict != kFinal && power >= query.best) continue;
     if (present_->is_single(leaf.number * kLeafPoints + i)) continue;
     const bool is_certain = power + error < 0;
+    counts_.exact_tests += is_certain ? 0 : 1;
     if (!is_certain && !delaunay_->in_conflict(query.cell, page.point(leaf.offset + i))) continue;
     conflict = leaf.number;
     query.best = std::min(query.best, power);
@@ -179,6 +233,7 @@ void CertificateSearch::search_leaf(const Leaf& leaf, HalfSpaceQuery& query) {
     if (height + error < query.best || (conflict != kFinal && height <= query.best)) continue;
     if (present_->is_single(first + i)) continue;
     const bool is_certain = height > error;
+    counts_.exact_tests += is_certain ? 0 : 1;
     if (!is_certain && !delaunay_->in_conflict(query.cell, leaf.page.point(leaf.offset + i))) {
       continue;
     }

@@ -8,9 +8,11 @@
 // cell and node.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,6 +24,7 @@
 #include "spatial/ball_points.h"
 #include "spatial/circumball.h"
 #include "spatial/delaunay.h"
+#include "spatial/sphere_cut.h"
 
 namespace stream_recon {
 
@@ -29,10 +32,12 @@ namespace stream_recon {
 struct SearchCounts {
   std::uint64_t queries = 0;
   std::uint64_t node_visits = 0;  ///< tests of a cell against a node
+  std::uint64_t exact_tests = 0;  ///< points that doubles could not tell
 
   void add(const SearchCounts& other) {
     queries += other.queries;
     node_visits += other.node_visits;
+    exact_tests += other.exact_tests;
   }
 };
 
@@ -67,9 +72,11 @@ class CertificateSearch {
     std::uint32_t place;  ///< of the cell among those asked about
     CellId cell;
     Circumball ball;
-    Point3 centre;   ///< relative to the origin of the index
-    double squared;  ///< radius of the search, shrinks as conflicts are found
-    double best;     ///< power of the best conflict so far, 0 before the first
+    Point3 centre;                        ///< relative to the origin of the index
+    double squared;                       ///< radius of the search, shrinks as conflicts are found
+    double best;                          ///< power of the best conflict so far, 0 before the first
+    std::uint32_t sphere = Shell::kNone;  ///< of the cut
+    SphereCut cut{};
   };
   struct HalfSpaceQuery {
     std::uint32_t place;
@@ -81,16 +88,23 @@ class CertificateSearch {
     index_layout::LeafNumber number;
     const PointPage& page;
     std::size_t offset;  ///< of its first point in the page
+    std::uint32_t sphere = Shell::kNone;
+    LeafHeights heights{};  ///< over the sphere
+
+    void set_heights(std::uint32_t number_of, const Sphere& of);
+    PointColumns columns() const { return {&page.x[offset], &page.y[offset], &page.z[offset]}; }
   };
 
   void add_query(CellId cell, std::uint32_t place);
-  Region region(std::uint32_t id, const ListFrame& frame) const;
+  Region region(std::uint32_t id, const Shell& shell);
+  std::optional<Region> cut_region(BallQuery& query, const Shell& shell);
+  std::array<Point3, 4> scaled_corners(CellId cell) const;
   void descend_top(std::size_t level, std::uint64_t node, std::size_t depth);
   void enter_page(std::uint64_t page, std::size_t depth);
   void descend_page(std::uint64_t page, std::uint32_t node, std::size_t depth);
   bool narrow(const NodeBounds& bounds, const index_layout::LeafRange& leaves, std::size_t depth);
   void search_leaf(index_layout::LeafNumber leaf, const BallList& balls);
-  void search_leaf(const Leaf& leaf, BallQuery& query);
+  void search_leaf(Leaf& leaf, BallQuery& query);
   void search_leaf(const Leaf& leaf, HalfSpaceQuery& query);
 
   const CloudIndex& index_;

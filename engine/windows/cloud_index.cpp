@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -95,8 +96,10 @@ class IndexBuilder {
                      box.low.z / 2 + box.high.z / 2};
     index_.reach = 2 * std::max(largest_coordinate(box.low), largest_coordinate(box.high));
     const std::uint64_t pages = quotient_up(point_count, kPagePoints);
-    index_.memory = context.budget.reserve(pages * 2 * sizeof(NodeBounds), "the top of the index");
+    index_.memory = context.budget.reserve(
+        pages * (2 * sizeof(NodeBounds) + SphereShells::kBytesAPage), "the top of the index");
     index_.top.emplace_back().reserve(pages);
+    index_.shells.pages.reserve(pages);
   }
 
   CloudIndex build() {
@@ -104,6 +107,7 @@ class IndexBuilder {
     if (finder_.dimension() < 3) refuse_flat(index_.point_count, finder_.dimension());
     index_.simplex = finder_.ranks();
     make_top();
+    close_shells(index_.shells);
     return std::move(index_);
   }
 
@@ -116,6 +120,9 @@ class IndexBuilder {
     std::vector<StoredPoint> points = std::vector<StoredPoint>(kPagesAtOnce * kPagePoints);
     std::vector<Point3> relative = std::vector<Point3>(points.size());
     std::vector<NodeBounds> nodes = std::vector<NodeBounds>(kPagesAtOnce * kPageNodes);
+    std::vector<std::optional<FoundShell>> shells =
+        std::vector<std::optional<FoundShell>>(kPagesAtOnce);
+    std::optional<Sphere> sphere;  ///< of the whole cloud, or of what is here
     std::size_t count = 0;
 
     std::size_t pages() const { return quotient_up(count, kPagePoints); }
@@ -123,6 +130,19 @@ class IndexBuilder {
   static constexpr std::uint64_t kBatchMemory =
       kPagesAtOnce *
       (kPagePoints * (sizeof(StoredPoint) + sizeof(Point3)) + kPageNodes * sizeof(NodeBounds));
+
+  /// Points of the whole cloud, evenly along the curve.
+  std::optional<Sphere> sphere_of_cloud(const PointStoreFile& store) const {
+    constexpr std::uint64_t kSamples = 64;
+    RecordCursor<StoredPoint> cursor(store);
+    std::vector<Point3> samples;
+    for (std::uint64_t i = 0; i < kSamples; ++i) {
+      StoredPoint stored;
+      cursor.seek(i * index_.point_count / kSamples);
+      if (cursor.read({&stored, 1}) == 1) samples.push_back(scaled(stored.point));
+    }
+    return shared_sphere(samples);
+  }
 
   void write_pages() {
     const std::size_t readers = std::min<std::size_t>(threads_in_use(), kPagesAtOnce);
@@ -135,9 +155,11 @@ class IndexBuilder {
     const PointStoreFile store(context_.scratch.open(kPointStore));
     auto writer = create_records<NodeBounds>(context_.scratch, kIndexPages, kPageBytes, blocks);
     Batch batch;
+    const std::optional<Sphere> cloud_sphere = sphere_of_cloud(store);
     for (PointRank rank = 0; rank < index_.point_count; rank += batch.count) {
       context_.stop.check();
       batch.count = std::min<std::uint64_t>(batch.points.size(), index_.point_count - rank);
+      batch.sphere = cloud_sphere;
       parallel_for_ranges(batch.pages(), 1, [&](std::size_t begin, std::size_t end) {
         RecordCursor<StoredPoint> cursor(store);
         cursor.seek(rank + begin * kPagePoints);
@@ -149,6 +171,8 @@ class IndexBuilder {
       for (std::size_t page = 0; page < batch.pages(); ++page) {
         index_.top[0].push_back(batch.nodes[page * kPageNodes]);
       }
+      if (!cloud_sphere) share_sphere(batch);
+      append_shells({batch.shells.data(), batch.pages()}, index_.shells);
       writer.append({batch.nodes.data(), batch.pages() * kPageNodes});
       context_.progress.advance(batch.count);
     }
@@ -168,6 +192,39 @@ class IndexBuilder {
     }
     bound_page({&batch.relative[first], count}, index_.reach,
                {&batch.nodes[page * kPageNodes], kPageNodes});
+    find_page_shell(batch, page);
+  }
+
+  void find_page_shell(Batch& batch, std::size_t page) const {
+    const std::size_t first = page * kPagePoints;
+    std::vector<Point3> points;
+    for (std::size_t i = first; i < std::min(first + kPagePoints, batch.count); ++i) {
+      points.push_back(scaled(batch.points[i].point));
+    }
+    batch.shells[page] = find_shell(points, batch.sphere);
+  }
+
+  /// One sphere for the pages that have one of their own.
+  void share_sphere(Batch& batch) const {
+    std::vector<Point3> samples;
+    std::size_t spheres = 0;
+    for (std::size_t page = 0; page < batch.pages(); ++page) {
+      if (!batch.shells[page]) continue;
+      ++spheres;
+      const std::size_t first = page * kPagePoints;
+      const std::size_t end = std::min(first + kPagePoints, batch.count);
+      for (std::size_t i = first; i < end; i += kPagePoints / 16) {
+        samples.push_back(scaled(batch.points[i].point));
+      }
+    }
+    if (spheres < 2) return;
+    batch.sphere = shared_sphere(samples);
+    if (!batch.sphere) return;
+    parallel_for_ranges(batch.pages(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t page = begin; page < end; ++page) {
+        if (batch.shells[page]) find_page_shell(batch, page);
+      }
+    });
   }
 
   void make_top() {

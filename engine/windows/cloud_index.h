@@ -2,7 +2,7 @@
 //
 // Guarantees: the bounds of every node hold all its points, conservatively (spatial/node_bounds.h).
 // Built in one streaming pass; pages lie in the scratch directory, the top stays in memory.
-// Thread rule: const and shared once built. Memory: 48 bytes for 1000 points; on disk 8 bytes a
+// Thread rule: const and shared once built. Memory: 60 bytes for 1000 points; on disk 8 bytes a
 // point, 6 when compressed. Source: packed Hilbert R-tree (Kamel, Faloutsos 1994).
 #pragma once
 
@@ -13,6 +13,7 @@
 #include "engine/order/ingest.h"
 #include "engine/stage_context.h"
 #include "engine/windows/index_layout.h"
+#include "engine/windows/sphere_shells.h"
 #include "spatial/coordinate_range.h"
 #include "spatial/node_bounds.h"
 
@@ -32,6 +33,7 @@ struct CloudIndex {
   /// top[0] are the roots of the pages; four nodes of a level make one of the next; the last has
   /// one.
   std::vector<std::vector<NodeBounds>> top;
+  SphereShells shells;
   /// Ranks of four affinely independent points; any window that has them has tetrahedra.
   std::array<PointRank, 4> simplex{};
   Reservation memory;

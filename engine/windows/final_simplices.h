@@ -18,6 +18,11 @@ struct CellRange {
   CellId end = 0;
 };
 
+/// Whether the window owns one of the vertices; infinity counts as one that is not owned.
+inline bool has_owned(const FinalWindow& window, const std::array<VertexId, 4>& v) {
+  return window.owns_vertex(std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
+}
+
 /// Whether the window emits the simplex of these vertices.
 template <std::size_t kCorners>
 bool emits(const FinalWindow& window, const std::array<VertexId, kCorners>& vertices) {

@@ -16,6 +16,7 @@ using namespace index_layout;
 /// What a window is expected to need for each point it owns, guests included; where that is too
 /// little it is split.
 constexpr std::uint64_t kBytesAnOwnedPoint = 700;
+constexpr std::uint64_t kBytesAWholeStar = 900;
 
 /// Windows below this size are mostly guests: rather fewer threads.
 constexpr std::uint64_t kSmallWindow = std::uint64_t{24} << 20;
@@ -55,8 +56,10 @@ WindowPlan plan_windows(const CloudIndex& index, const WindowStageOptions& optio
   plan.threads = static_cast<unsigned>(
       std::clamp<std::uint64_t>(rest / (fixed + kSmallWindow), 1, options.threads));
   plan.window_bytes = rest / plan.threads - fixed;
-  const std::uint64_t bytes_a_point = kBytesAnOwnedPoint + options.consumer_bytes_a_point;
-  plan.build_bytes = plan.window_bytes / bytes_a_point * kBytesAnOwnedPoint;
+  const std::uint64_t build_bytes_a_point =
+      options.whole_stars ? kBytesAWholeStar : kBytesAnOwnedPoint;
+  const std::uint64_t bytes_a_point = build_bytes_a_point + options.consumer_bytes_a_point;
+  plan.build_bytes = plan.window_bytes / bytes_a_point * build_bytes_a_point;
   std::uint64_t points = plan.window_bytes / bytes_a_point;
   if (options.window_points != 0) points = std::min(points, options.window_points);
   const std::uint64_t evenly = quotient_up(index.point_count, kWindowsAThread * plan.threads);

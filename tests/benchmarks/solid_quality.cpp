@@ -10,17 +10,19 @@
 //   on_surface       share of them that are vertices of the mesh
 //   added_vertices   vertices of the mesh that are no samples
 // with --cloud that has a spacing
-//   voxel_bias       what half a voxel all over the surface is of the true volume
+//   voxel_bias       what the mean distance of the samples from the surface, all over the surface,
+//                    is of the true volume
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "io/mesh_source.h"
 #include "io/point_source.h"
 #include "tests/benchmarks/label_error.h"
+#include "tests/benchmarks/sample_distance.h"
 #include "tests/benchmarks/sample_match.h"
 #include "tools/check/facts_text.h"
 #include "tools/check/mesh_check.h"
@@ -55,21 +57,22 @@ class MeshTaker final : public MeshVisitor {
   std::vector<Point3> vertices_;
 };
 
-void add_cloud(const CommandLine& line, const SolidTruth& truth, std::vector<Point3> vertices,
+void add_cloud(const CommandLine& line, const KnownSolid& solid, std::vector<Point3> vertices,
                Json& json) {
   const auto source = open_point_source(line.cloud, InputFormat::kAuto);
   std::vector<Point3> samples;
   std::vector<Point3> buffer(4096);
   while (const std::size_t n = source->read(buffer))
     samples.insert(samples.end(), buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(n));
+  if (const auto& spacing = source->metadata().spacing) {
+    const double reach = 4 * *std::max_element(spacing->begin(), spacing->end());
+    const SolidTruth truth = solid.truth();
+    json["voxel_bias"] = mean_distance(solid, samples, reach) * truth.area / truth.volume;
+  }
   const SampleMatch match = match_samples(std::move(samples), std::move(vertices));
   json["samples"] = match.samples;
   json["on_surface"] = static_cast<double>(match.matched) / static_cast<double>(match.samples);
   json["added_vertices"] = match.added_vertices;
-  if (const auto& spacing = source->metadata().spacing) {
-    const double voxel = std::accumulate(spacing->begin(), spacing->end(), 0.0) / 3;
-    json["voxel_bias"] = voxel / 2 * truth.area / truth.volume;
-  }
 }
 
 void measure(const CommandLine& line) {
@@ -90,7 +93,7 @@ void measure(const CommandLine& line) {
   json["true_volume"] = truth.volume;
   json["true_area"] = truth.area;
   json["true_euler"] = truth.euler;
-  if (!line.cloud.empty()) add_cloud(line, truth, taker.take_vertices(), json);
+  if (!line.cloud.empty()) add_cloud(line, *solid, taker.take_vertices(), json);
   fmt::print("{}\n", json.dump(2));
 }
 

@@ -14,7 +14,7 @@
 namespace stream_recon {
 namespace {
 
-constexpr std::array<CloudKind, 18> kKinds{{
+constexpr std::array<CloudKind, 19> kKinds{{
     {"cube", "random in the unit cube"},
     {"sphere", "random on the unit sphere"},
     {"ellipsoid", "random on a smooth ellipsoid"},
@@ -22,6 +22,7 @@ constexpr std::array<CloudKind, 18> kKinds{{
     {"torus", "random on a torus"},
     {"folded", "random on a gyroid cut by a ball, of large genus"},
     {"sponge", "folded in a smaller ball, of genus 42: no handle is very thin"},
+    {"folds", "random on a gyroid cut by a ball, edges rounded, of genus 42"},
     {"nested", "random on a shell with a ball in its cavity"},
     {"pair", "random on two balls --width apart"},
     {"plate", "random on a round oblique plate, --width thick, with a rounded rim"},

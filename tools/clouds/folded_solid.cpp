@@ -54,14 +54,14 @@ std::optional<Point3> try_gyroid_point(Random& random, double radius) {
 
 }  // namespace
 
-GyroidField gyroid_field(const Point3& p) {
-  const SineCosine x = sine_cosine(kGyroidWave * p.x);
-  const SineCosine y = sine_cosine(kGyroidWave * p.y);
-  const SineCosine z = sine_cosine(kGyroidWave * p.z);
+GyroidField gyroid_field(const Point3& p, double wave) {
+  const SineCosine x = sine_cosine(wave * p.x);
+  const SineCosine y = sine_cosine(wave * p.y);
+  const SineCosine z = sine_cosine(wave * p.z);
   return {gyroid_value({x.sine, y.sine, z.sine}, {x.cosine, y.cosine, z.cosine}),
-          {kGyroidWave * (x.cosine * y.cosine - z.sine * x.sine),
-           kGyroidWave * (y.cosine * z.cosine - x.sine * y.sine),
-           kGyroidWave * (z.cosine * x.cosine - y.sine * z.sine)}};
+          {wave * (x.cosine * y.cosine - z.sine * x.sine),
+           wave * (y.cosine * z.cosine - x.sine * y.sine),
+           wave * (z.cosine * x.cosine - y.sine * z.sine)}};
 }
 
 std::optional<Point3> try_folded_surface_point(Random& random, double radius) {

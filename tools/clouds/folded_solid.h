@@ -25,7 +25,8 @@ struct GyroidField {
   Point3 gradient;
 };
 
-GyroidField gyroid_field(const Point3& p);
+/// \param wave radians a unit of length
+GyroidField gyroid_field(const Point3& p, double wave = kGyroidWave);
 
 /// A point on the surface of the solid in the ball of `radius`, the same density everywhere: each
 /// call tries one candidate.

@@ -5,13 +5,14 @@
 
 #include "spatial/vector.h"
 #include "tools/clouds/round_solids.h"
+#include "tools/clouds/rounded_folds.h"
 #include "tools/clouds/wavy_solids.h"
 
 namespace stream_recon {
 namespace {
 
-constexpr std::array<std::string_view, 9> kNames{"sphere", "blob", "torus", "folded", "sponge",
-                                                 "nested", "pair", "plate", "uneven"};
+constexpr std::array<std::string_view, 10> kNames{"sphere", "blob",   "torus", "folded", "sponge",
+                                                  "folds",  "nested", "pair",  "plate",  "uneven"};
 constexpr double kDefaultWidth = 0.05;
 constexpr Point3 kOblique{2.0 / 7, 3.0 / 7, 6.0 / 7};
 
@@ -48,6 +49,7 @@ std::unique_ptr<const KnownSolid> make_solid(const SolidOptions& options) {
   if (options.name == "torus") return std::make_unique<TorusSolid>(true);
   if (options.name == "folded") return std::make_unique<FoldedSolid>(1);
   if (options.name == "sponge") return std::make_unique<FoldedSolid>(FoldedSolid::kSpongeRadius);
+  if (options.name == "folds") return std::make_unique<RoundedFolds>();
   if (options.name == "nested") return make_nested_balls();
   if (options.name == "pair") return make_pair_of_balls(width);
   if (options.name == "plate") return std::make_unique<PlateSolid>(width);

@@ -4,6 +4,8 @@
 // Cost: constant.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cstdint>
@@ -35,6 +37,34 @@ class NodeSet {
     for (Word& word : words_) {
       word.before = count_;
       count_ += static_cast<std::uint32_t>(std::popcount(word.bits));
+    }
+  }
+
+  /// Calls visit(node) for those in the set, ascending.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::uint32_t word = 0; word < words_.size(); ++word) {
+      for (std::uint64_t bits = words_[word].bits; bits != 0; bits &= bits - 1) {
+        visit(static_cast<std::uint32_t>(word * kBits) +
+              static_cast<std::uint32_t>(std::countr_zero(bits)));
+      }
+    }
+  }
+
+  /// The same, and calls prepare(node) some visits before: time for memory to come.
+  template <class Prepare, class Visit>
+  void for_each(const Prepare& prepare, const Visit& visit) const {
+    constexpr std::uint32_t kAhead = 16;
+    std::array<std::uint32_t, kAhead> next;
+    std::uint32_t prepared = 0;
+    for_each([&](std::uint32_t node) {
+      prepare(node);
+      std::uint32_t& place = next[prepared++ % kAhead];
+      if (prepared > kAhead) visit(place);
+      place = node;
+    });
+    for (std::uint32_t left = std::min(prepared, kAhead); left != 0; --left) {
+      visit(next[(prepared - left) % kAhead]);
     }
   }
 
