@@ -19,8 +19,8 @@ struct PowerEstimate : Estimate {
   /// The largest |s| + |t|.
   double top;
 
-  /// Whether `value` is the determinant itself. \param reach largest differences, in whole units,
-  /// that make an in-sphere determinant exact: its lifts are at most 3 reach^2.
+  /// Whether `value` is the determinant itself. \param reach_limit differences up to this make an
+  /// in-sphere determinant exact: its lifts are at most 3 reach_limit^2.
   bool is_exact(double reach_limit) const {
     return reach <= reach_limit && top <= 3 * reach_limit * reach_limit;
   }

@@ -64,6 +64,32 @@ WeightedPoint3 site_of(const CellView& cells, CellId cell) {
   return {plus(ball.origin, ball.centre), dot(ball.centre, ball.centre)};
 }
 
+// The cells that are poles, each once.
+std::vector<CellId> pole_cells(const std::vector<Sample>& samples) {
+  std::vector<CellId> poles;
+  for (const Sample& sample : samples) {
+    for (const CellId cell : {sample.first, sample.second})
+      if (cell != kNone) poles.push_back(cell);
+  }
+  std::sort(poles.begin(), poles.end());
+  poles.erase(std::unique(poles.begin(), poles.end()), poles.end());
+  return poles;
+}
+
+// The balls of the cells by place, the heaviest of each place.
+std::vector<WeightedPoint3> sites_of(const CellView& cells, const std::vector<CellId>& poles) {
+  std::vector<WeightedPoint3> sites;
+  sites.reserve(poles.size());
+  for (const CellId cell : poles) sites.push_back(site_of(cells, cell));
+  std::sort(sites.begin(), sites.end(), [](const WeightedPoint3& a, const WeightedPoint3& b) {
+    return a.point == b.point ? a.weight > b.weight : a.point < b.point;
+  });
+  sites.erase(std::unique(sites.begin(), sites.end(),
+                          [](const auto& a, const auto& b) { return a.point == b.point; }),
+              sites.end());
+  return sites;
+}
+
 }  // namespace
 
 std::vector<WeightedPoint3> pole_sites(const std::vector<Point3>& points) {
@@ -88,23 +114,7 @@ std::vector<WeightedPoint3> pole_sites(const std::vector<Point3>& points) {
     sample.second_square = square;
   });
 
-  std::vector<CellId> poles;
-  for (const Sample& sample : samples) {
-    for (const CellId cell : {sample.first, sample.second})
-      if (cell != kNone) poles.push_back(cell);
-  }
-  std::sort(poles.begin(), poles.end());
-  poles.erase(std::unique(poles.begin(), poles.end()), poles.end());
-  std::vector<WeightedPoint3> sites;
-  sites.reserve(poles.size());
-  for (const CellId cell : poles) sites.push_back(site_of(cells, cell));
-  std::sort(sites.begin(), sites.end(), [](const WeightedPoint3& a, const WeightedPoint3& b) {
-    return a.point == b.point ? a.weight > b.weight : a.point < b.point;
-  });
-  sites.erase(std::unique(sites.begin(), sites.end(),
-                          [](const auto& a, const auto& b) { return a.point == b.point; }),
-              sites.end());
-  return sites;
+  return sites_of(cells, pole_cells(samples));
 }
 
 }  // namespace stream_recon
