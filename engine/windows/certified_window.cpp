@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 
+#include "engine/thread_clock.h"
 #include "engine/windows/final_simplices.h"
 #include "spatial/cell_view.h"
 
@@ -15,25 +15,6 @@ using namespace index_layout;
 /// Of how many finite cells the first round asks about one. Most that are in conflict then die of
 /// what their neighbours name; what is left is asked about in the second.
 constexpr CellId kFirstRoundShare = 8;
-
-/// Adds the processor time of this thread.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() { seconds_ += now() - began_; }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  static double now() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  }
-
-  double& seconds_;
-  double began_ = now();
-};
 
 void sort_unique(std::vector<LeafNumber>& leaves) {
   std::sort(leaves.begin(), leaves.end());
@@ -73,7 +54,47 @@ CertifiedWindow::Outcome CertifiedWindow::build(const OwnedRange& owned,
     for (const LeafNumber leaf : leaves) add_leaf(leaf);
   }
   counts_.guests = guest_ranks_.size();
+  if (options_.whole_stars) note_final();
   return Outcome::kDone;
+}
+
+void CertifiedWindow::note_final() {
+  const FinalWindow window = view();
+  const CellView cells = delaunay_.view();
+  final_.assign(cells.slots(), false);
+  for (CellId cell = 0; cell < cells.slots(); ++cell) {
+    if (cells.is_live(cell) && has_owned(window, cells.vertices(cell))) final_[cell] = true;
+  }
+}
+
+CertifiedWindow::Outcome CertifiedWindow::prove(std::vector<CellId>& cells,
+                                                std::uint64_t memory_bytes) {
+  memory_bytes_ = memory_bytes;
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  std::vector<LeafNumber> leaves;
+  {
+    const ThreadClock clock(counts_.search_seconds);
+    final_.resize(delaunay_.view().slots());
+    for (std::size_t first = 0; first < cells.size(); first += CertificateSearch::kMostCells) {
+      const std::size_t count = std::min(CertificateSearch::kMostCells, cells.size() - first);
+      const std::span<const CellId> some(&cells[first], count);
+      std::array<LeafNumber, CertificateSearch::kMostCells> conflicts;
+      breathe();
+      search_.search(delaunay_, {present_, 0}, some, conflicts);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (conflicts[i] != CertificateSearch::kFinal) leaves.push_back(conflicts[i]);
+        final_[some[i]] = conflicts[i] == CertificateSearch::kFinal;
+      }
+    }
+    sort_unique(leaves);
+    counts_.search.add(search_.take_counts());
+  }
+  cells.clear();
+  for (const LeafNumber leaf : leaves) add_leaf(leaf);
+  ++counts_.rounds;
+  counts_.guests = guest_ranks_.size();
+  return insert_pending() ? Outcome::kDone : Outcome::kOutgrown;
 }
 
 void CertifiedWindow::clear() {
@@ -83,6 +104,7 @@ void CertifiedWindow::clear() {
   guest_ranks_ = {};
   input_indices_ = {};
   asked_ = 0;
+  final_ = {};
   counts_ = {};
   search_.take_counts();
 }
@@ -93,7 +115,7 @@ std::uint64_t CertifiedWindow::bytes() const {
 
 std::uint64_t CertifiedWindow::bytes_beside() const {
   return pending_.capacity() * sizeof(Point3) + guest_ranks_.capacity() * sizeof(PointRank) +
-         input_indices_.capacity() * sizeof(std::uint64_t);
+         input_indices_.capacity() * sizeof(std::uint64_t) + final_.capacity() / 8;
 }
 
 void CertifiedWindow::add_owned() {
@@ -134,7 +156,7 @@ void CertifiedWindow::add_first_guests() {
 }
 
 bool CertifiedWindow::insert_pending() {
-  const Stopwatch watch(counts_.insert_seconds);
+  const ThreadClock clock(counts_.insert_seconds);
   const std::uint64_t beside = bytes_beside();
   if (beside >= memory_bytes_) return false;
   delaunay_.set_max_bytes(memory_bytes_ - beside);
@@ -146,7 +168,7 @@ bool CertifiedWindow::insert_pending() {
 // The leaves of conflicts with cells not yet asked about, ascending. A cell that has no new vertex
 // was there the last time; had a conflict been found then, it would be gone.
 std::vector<LeafNumber> CertifiedWindow::find_conflicts() {
-  const Stopwatch watch(counts_.search_seconds);
+  const ThreadClock clock(counts_.search_seconds);
   const FinalWindow window = view();
   const CellView cells = delaunay_.view();
   std::vector<LeafNumber> leaves;

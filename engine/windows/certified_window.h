@@ -57,6 +57,18 @@ class CertifiedWindow {
   /// \param memory_bytes besides fixed_memory()
   /// \throw IoError, Interrupted
   Outcome build(const OwnedRange& owned, std::uint64_t memory_bytes);
+  /// One round more, for cells without an owned vertex: asks about them, and inserts the points in
+  /// conflict with some. The others are final from now on, as those with an owned vertex are after a
+  /// build() that asked for whole stars; final cells stay as long as the window.
+  /// \param memory_bytes as of build() \throw IoError, Interrupted
+  Outcome prove(std::vector<CellId>& cells, std::uint64_t memory_bytes);
+  /// \pre whole stars; build() returned kDone
+  bool is_final(CellId cell) const { return cell < final_.size() && final_[cell]; }
+  /// Lets the run be stopped, and its progress be shown, in the midst of a window.
+  void breathe() const {
+    context_.stop.check();
+    context_.progress.advance(0);
+  }
   /// Gives the memory of build() back.
   void clear();
 
@@ -74,11 +86,6 @@ class CertifiedWindow {
     std::vector<CellId> cells;
   };
 
-  /// Lets the run be stopped, and its progress be shown, in the midst of a window.
-  void breathe() const {
-    context_.stop.check();
-    context_.progress.advance(0);
-  }
   std::uint64_t bytes_beside() const;  ///< besides the Delaunay structure
   void add_owned();
   void add_guest(PointRank rank);
@@ -87,6 +94,7 @@ class CertifiedWindow {
   bool insert_pending();
   std::vector<index_layout::LeafNumber> find_conflicts();
   void ask(OpenCells& open, std::vector<index_layout::LeafNumber>& leaves);
+  void note_final();
 
   const CloudIndex& index_;
   IndexReader& reader_;
@@ -102,6 +110,7 @@ class CertifiedWindow {
   std::vector<PointRank> guest_ranks_;
   std::vector<std::uint64_t> input_indices_;
   VertexId asked_ = 0;  ///< vertices when cells were last asked about
+  std::vector<bool> final_;
   WindowCounts counts_;
 };
 

@@ -1,0 +1,38 @@
+// The part of the crust that a window of the power diagram emits: the faces between its owned poles
+// and poles outside, in triangles.
+//
+// A face is the polygon of the vertices dual to the cells around an edge from a pole inside to one
+// outside. Guarantees: corners and triangles of a face are functions of the poles alone, so that
+// faces of different windows fit along their edges without cracks; every face of the crust is
+// emitted by one window. Corners with a common sample are one vertex, the sample. A face with a
+// corner at infinity is left out and counted. Thread rule: one thread. Memory: crust_faces_memory()
+// at least. Source: Amenta, Choi, Kolluri, The power crust, 2001, section 3; docs/algorithms/crust.md
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/crust/crust_records.h"
+#include "engine/power/power_window.h"
+
+namespace stream_recon {
+
+struct CrustFaces {
+  std::vector<CrustVertex> vertices;  ///< distinct, ascending by name, numbered
+  std::vector<CrustTriangle> triangles;
+  std::uint64_t faces = 0;
+  std::uint64_t unbounded = 0;
+
+  std::uint64_t bytes() const {
+    return vertices.capacity() * sizeof(CrustVertex) + triangles.capacity() * sizeof(CrustTriangle);
+  }
+};
+
+/// \pre build() of the window returned kDone
+/// \param window its number, for the vertices
+CrustFaces crust_faces(const PowerWindow& power, std::uint32_t window);
+
+/// Beside the window, bytes: what crust_faces() may be expected to need.
+std::uint64_t crust_faces_memory(const PowerWindow& power);
+
+}  // namespace stream_recon

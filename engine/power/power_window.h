@@ -1,0 +1,88 @@
+// One window of the power diagram: the regular triangulation of the poles inside the body whose
+// lowest sample is owned, and of as many others as it takes to prove every star of these final.
+//
+// A pole is the ball of a Delaunay tetrahedron of the samples. It is closer than orthogonal to a
+// sphere (z, w) iff that tetrahedron is in conflict with the weighted point (z, w), and what is in
+// conflict is connected and next to the sphere's own four poles. So certificates are found by
+// walking through the tetrahedra of the samples, which are proved final where a walk comes by.
+// Guarantees: after build() returned kDone, no pole of the cloud is in conflict with a cell of the
+// triangulation that has an owned pole; all windows together own every pole inside.
+// Thread rule: one thread. Memory: bytes(), about 1 KB an owned pole. Source:
+// docs/algorithms/weighted.md
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/power/sample_poles.h"
+#include "engine/windows/certified_window.h"
+#include "spatial/orthosphere.h"
+#include "spatial/regular_triangulation.h"
+
+namespace stream_recon {
+
+struct PowerCounts {
+  std::uint64_t owned = 0;
+  std::uint64_t guests = 0;
+  std::uint64_t rounds = 0;
+  std::uint64_t walks = 0;
+  std::uint64_t tests = 0;  ///< of a tetrahedron against a sphere, on walks
+  double insert_seconds = 0;
+  double walk_seconds = 0;
+  double prove_seconds = 0;
+
+  void add(const PowerCounts& other);
+};
+
+class PowerWindow {
+ public:
+  using Outcome = CertifiedWindow::Outcome;
+
+  /// \pre All outlive the window.
+  PowerWindow(CertifiedWindow& samples, const PoleIndex& index, PoleFinder& finder);
+
+  /// \param memory_bytes of the samples' window as well
+  /// \pre The samples' window has been built for `owned` with whole stars. Called once.
+  /// \throw IoError, Interrupted
+  Outcome build(const OwnedRange& owned, std::uint64_t memory_bytes);
+
+  const CertifiedWindow& samples() const { return samples_; }
+  const SamplePoles& poles() const { return poles_; }
+  const RegularTriangulation& triangulation() const { return power_; }
+  const PowerCounts& counts() const { return counts_; }
+  /// Of the window of samples too.
+  std::uint64_t bytes() const;
+
+ private:
+  struct Question;
+
+  bool insert_added();
+  void ask_all();
+  void ask(CellId cell);
+  void walk(const Question& question);
+  bool close(VertexId sample, CellId start);
+  void begin_walk();
+  bool visit(CellId cell);
+  bool is_closer(const Question& question, CellId cell);
+  bool is_seen(const Question& question, CellId infinite) const;
+
+  CertifiedWindow& samples_;
+  SamplePoles poles_;
+  PoleNumber some_step_;
+  OrthosphereReach reach_;
+  double most_error_;  ///< of the power of a sphere's centre
+  std::uint64_t memory_bytes_ = 0;
+  RegularTriangulation power_;
+  std::vector<bool> done_;  ///< cells of the power diagram without conflict
+  /// Of samples: the round since which all poles that touch it are there; 0 if that is not known.
+  std::vector<std::uint32_t> closed_;
+  std::vector<std::uint32_t> stamps_;  ///< of tetrahedra: the last walk that came by
+  std::uint32_t walk_number_ = 0;
+  std::vector<CellId> walk_;  ///< tetrahedra in conflict, neighbours to be looked at
+  std::vector<CellId> unproven_;
+  PowerCounts counts_;
+};
+
+}  // namespace stream_recon

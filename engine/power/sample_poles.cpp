@@ -1,0 +1,110 @@
+#include "engine/power/sample_poles.h"
+
+#include <algorithm>
+
+#include "spatial/cell_view.h"
+
+namespace stream_recon {
+
+NodeKey SamplePoles::name_of(CellId cell) const {
+  const FinalWindow window = samples_.view();
+  const auto v = window.delaunay().view().vertices(cell);
+  NodeKey name;
+  for (int i = 0; i < 4; ++i) name.ranks[i] = static_cast<std::uint32_t>(window.rank(v[i]));
+  std::sort(name.ranks.begin(), name.ranks.end());
+  return name;
+}
+
+void SamplePoles::add(PoleNumber number, CellId cell) {
+  const Pole& pole = finder_.pole(number);
+  entries_.push_back({number, cell, pole.tetrahedron, pole.is_inside != 0});
+  added_.push_back(site_of(pole));
+}
+
+// All tetrahedra of owned samples are final, so that every owned pole meets its cell.
+void SamplePoles::add_owned(const OwnedRange& owned) {
+  const PoleNumber begin = finder_.lower_bound(static_cast<std::uint32_t>(owned.first));
+  const PoleNumber end = finder_.lower_bound(static_cast<std::uint32_t>(owned.end()));
+  for (PoleNumber number = begin; number < end; ++number) {
+    if (finder_.pole(number).is_inside != 0) add(number, kNoCell);
+  }
+  owned_count_ = count();
+  const CellView cells = samples_.view().delaunay().view();
+  states_.assign(cells.slots(), State::kUnknown);
+  for (CellId cell = 0; cell < cells.slots(); ++cell) {
+    if (!samples_.is_final(cell) || cells.is_infinite(cell)) continue;
+    const PoleNumber number = finder_.find(name_of(cell));
+    states_[cell] = number == kNoPole ? State::kNotAPole : State::kMissing;
+    const auto at = std::lower_bound(
+        entries_.begin(), entries_.end(), number,
+        [](const Entry& entry, PoleNumber sought) { return entry.number < sought; });
+    if (at == entries_.end() || at->number != number) continue;
+    at->cell = cell;
+    states_[cell] = State::kAdded;
+  }
+}
+
+void SamplePoles::add_some(PoleNumber step) {
+  std::vector<PoleNumber> here;
+  here.reserve(entries_.size());
+  for (const Entry& entry : entries_) here.push_back(entry.number);
+  std::sort(here.begin(), here.end());
+  for (std::uint64_t number = 0; number < finder_.count(); number += step) {
+    const auto some = static_cast<PoleNumber>(number);
+    if (std::binary_search(here.begin(), here.end(), some)) continue;
+    loose_.push_back(some);
+    add(some, kNoCell);
+  }
+}
+
+SamplePoles::State SamplePoles::state(CellId cell) {
+  if (cell >= states_.size()) states_.resize(samples_.view().delaunay().view().slots());
+  State& state = states_[cell];
+  if (state == State::kUnknown) {
+    const PoleNumber number = finder_.find(name_of(cell));
+    if (number == kNoPole) {
+      state = State::kNotAPole;
+    } else {
+      const bool is_loose = std::binary_search(loose_.begin(), loose_.end(), number);
+      state = is_loose ? State::kInserted : State::kMissing;
+    }
+  }
+  return state;
+}
+
+void SamplePoles::add_missing(CellId cell) {
+  if (state(cell) != State::kMissing) return;
+  add(finder_.find(name_of(cell)), cell);
+  states_[cell] = State::kAdded;
+}
+
+std::vector<WeightedPoint3> SamplePoles::take_added() {
+  for (std::size_t v = entries_.size() - added_.size(); v < entries_.size(); ++v) {
+    if (entries_[v].cell != kNoCell) states_[entries_[v].cell] = State::kInserted;
+  }
+  return std::exchange(added_, {});
+}
+
+std::optional<VertexId> SamplePoles::common_sample(std::span<const VertexId> poles) const {
+  const auto known = std::find_if(poles.begin(), poles.end(), [this](VertexId pole) {
+    return entries_[pole].cell != kNoCell;
+  });
+  if (known == poles.end()) return std::nullopt;
+  const FinalWindow window = samples_.view();
+  for (const VertexId sample : window.delaunay().view().vertices(entries_[*known].cell)) {
+    const auto rank = static_cast<std::uint32_t>(window.rank(sample));
+    const bool is_common = std::all_of(poles.begin(), poles.end(), [&](VertexId pole) {
+      const auto& ranks = entries_[pole].name.ranks;
+      return ranks[0] == rank || ranks[1] == rank || ranks[2] == rank || ranks[3] == rank;
+    });
+    if (is_common) return sample;
+  }
+  return std::nullopt;
+}
+
+std::uint64_t SamplePoles::bytes() const {
+  return entries_.capacity() * sizeof(Entry) + added_.capacity() * sizeof(WeightedPoint3) +
+         states_.capacity() + loose_.capacity() * sizeof(PoleNumber);
+}
+
+}  // namespace stream_recon

@@ -1,0 +1,74 @@
+// Which tetrahedra of a window of samples are poles, and which of those are in its power diagram.
+//
+// Poles in the power diagram are numbered as its vertices are: owned ones first. Thread rule: one
+// window's. Memory: bytes(), about 50 bytes a pole and 5 a tetrahedron.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/power/pole_finder.h"
+#include "engine/windows/certified_window.h"
+#include "spatial/regular_triangulation.h"
+
+namespace stream_recon {
+
+class SamplePoles {
+ public:
+  static constexpr CellId kNoCell = static_cast<CellId>(-1);
+
+  struct Entry {
+    PoleNumber number;
+    CellId cell;  ///< of the samples; kNoCell where the window may not have it
+    NodeKey name;
+    bool is_inside;
+  };
+
+  /// \pre The window has been built with whole stars. Both outlive the object.
+  SamplePoles(const CertifiedWindow& samples, PoleFinder& finder)
+      : samples_(samples), finder_(finder) {}
+
+  /// All poles inside the body whose lowest sample the window owns. \throw IoError
+  void add_owned(const OwnedRange& owned);
+  /// One of every `step` poles of the cloud. \throw IoError
+  void add_some(PoleNumber step);
+  /// If the final cell is a pole that is missing: adds it. \throw IoError
+  void add_missing(CellId cell);
+
+  /// Where a final cell's pole stands.
+  enum class State : std::uint8_t { kUnknown, kNotAPole, kMissing, kAdded, kInserted };
+  /// \throw IoError
+  State state(CellId cell);
+  /// \pre The cell is a pole. \throw IoError
+  WeightedPoint3 site(CellId cell) { return site_of(finder_.pole(finder_.find(name_of(cell)))); }
+
+  /// Those added since the last call, as new vertices of the power diagram.
+  std::vector<WeightedPoint3> take_added();
+
+  VertexId count() const { return static_cast<VertexId>(entries_.size()); }
+  VertexId owned_count() const { return owned_count_; }
+  bool has_added() const { return !added_.empty(); }
+  const Entry& operator[](VertexId v) const { return entries_[v]; }
+  /// A sample that all of these touch, as a vertex of the window. \pre one of them has a cell
+  std::optional<VertexId> common_sample(std::span<const VertexId> poles) const;
+
+  std::uint64_t bytes() const;
+
+ private:
+  NodeKey name_of(CellId cell) const;
+  void add(PoleNumber number, CellId cell);
+
+  const CertifiedWindow& samples_;
+  PoleFinder& finder_;
+  std::vector<Entry> entries_;
+  std::vector<WeightedPoint3> added_;
+  std::vector<State> states_;       ///< of cells
+  std::vector<PoleNumber> loose_;   ///< of entries without a cell, ascending
+  VertexId owned_count_ = 0;
+};
+
+}  // namespace stream_recon
