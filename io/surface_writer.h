@@ -22,7 +22,8 @@ class ScratchDirectory;
 enum class TriangleSource : std::uint8_t {
   kGamma = 0,
   kAlpha = 1,
-  kFill = 2,  ///< of the solid, beyond the gamma shape
+  kFill = 2,   ///< of the solid, beyond the gamma shape
+  kCrust = 3,  ///< between a ball inside and one outside
 };
 
 /// A part of the surface. Arrays of points have one length, arrays of triangles another; every

@@ -133,7 +133,7 @@ class CrustExtraction {
                                          });
     std::rotate(polygon_.begin(), lowest, polygon_.end());
     for (std::size_t i = 1; i + 1 < polygon_.size(); ++i) {
-      const std::array<std::uint32_t, 3> corners{polygon_[0], polygon_[i], polygon_[i + 1]};
+      const std::array<std::uint32_t, 3> corners{polygon_[0], polygon_[i + 1], polygon_[i]};
       if (corners[1] == corners[0] || corners[2] == corners[0]) continue;
       result_.triangles.push_back({corners, delta});
     }

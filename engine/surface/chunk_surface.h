@@ -49,7 +49,7 @@ class ChunkSurfaceMaker {
         options_(input.options),
         context_(context),
         scale_(input.options.range.scale().value_or(1)),
-        store_(context.scratch.open(kPointStore)) {}
+        store_(context.scratch.open(input.surface.point_store())) {}
 
   /// \throw IoError, BudgetError, Interrupted
   ChunkSurface make(std::uint64_t chunk) const;

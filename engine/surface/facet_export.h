@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "engine/chunks/chunk_layout.h"
+#include "engine/order/point_store.h"
 #include "engine/surface/edge_census.h"
 #include "engine/surface/facet_record.h"
 #include "engine/windows/export_reader.h"
@@ -46,13 +47,17 @@ void export_solid_facets(std::span<const FacetRecord> facets, const SolidExportO
 /// What all windows have exported. \pre The reader outlives it.
 class ExportedFacets {
  public:
-  ExportedFacets(const ExportReader& reader, const ChunkLayout& layout)
-      : layout_(layout),
+  /// \param points the store whose ranks the facets have
+  ExportedFacets(const ExportReader& reader, const ChunkLayout& layout,
+                 const char* points = kPointStore)
+      : points_(points),
+        layout_(layout),
         facets_(reader, ExportKind::kFacets),
         border_points_(reader, ExportKind::kBorderPoints),
         border_edges_(reader, ExportKind::kBorderEdges),
         border_facets_(reader, ExportKind::kBorderFacets) {}
 
+  const char* point_store() const { return points_; }
   const ChunkLayout& layout() const { return layout_; }
   const ExportedRecords<FacetRecord>& facets() const { return facets_; }
   const ExportedRecords<BorderPoint>& border_points() const { return border_points_; }
@@ -62,6 +67,7 @@ class ExportedFacets {
   const ExportedRecords<FacetRecord>& border_facets() const { return border_facets_; }
 
  private:
+  const char* points_;
   ChunkLayout layout_;
   ExportedRecords<FacetRecord> facets_;
   ExportedRecords<BorderPoint> border_points_;

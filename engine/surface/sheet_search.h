@@ -45,7 +45,7 @@ class SheetSearch {
  public:
   /// \pre `surface` and `context` outlive it; fewer than 2^32 points. \throw IoError
   SheetSearch(const ExportedFacets& surface, const StageContext& context)
-      : surface_(surface), context_(context), store_(context.scratch.open(kPointStore)) {}
+      : surface_(surface), context_(context), store_(context.scratch.open(surface.point_store())) {}
 
   /// What find() may be expected to need for a chunk, bytes.
   static std::uint64_t typical_memory(std::uint64_t triangles, std::uint64_t points);

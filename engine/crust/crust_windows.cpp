@@ -1,0 +1,192 @@
+#include "engine/crust/crust_windows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "engine/crust/crust_faces.h"
+#include "engine/parallel.h"
+#include "engine/size_text.h"
+
+namespace stream_recon {
+namespace {
+
+using namespace index_layout;
+
+/// What a window is expected to need for each sample, faces included; where that is too little it
+/// is split.
+constexpr std::uint64_t kBytesASample = 3600;
+constexpr std::uint64_t kLeastSamples = 1 << 13;
+constexpr std::size_t kBlock = std::size_t{128} << 10;
+
+struct Plan {
+  unsigned threads;
+  std::uint64_t cache_bytes;  ///< of the index
+  std::uint64_t pole_pages;
+  std::uint64_t fixed_bytes;   ///< each thread's, besides its window
+  std::uint64_t window_bytes;  ///< each
+  std::uint64_t window_points;
+};
+
+Plan plan_for(const CloudIndex& index, const CrustWindowOptions& options,
+              const MemoryBudget& budget) {
+  Plan plan{};
+  const std::uint64_t available = budget.available();
+  const std::uint64_t fixed = CertifiedWindow::fixed_memory(index) + PoleFinder::kMemory +
+                              record_file_memory(kBlock);
+  const std::uint64_t least_cache = IndexCaches::least_memory(1);
+  const std::uint64_t least = 2 * least_cache + fixed + (std::uint64_t{8} << 20);
+  if (available < least) {
+    throw BudgetError(fmt::format(
+        "--memory {} leaves {} for the windows of the crust, but they need {}; give --memory {} or "
+        "more",
+        size_argument(budget.limit()), size_text(available), size_text(least),
+        size_argument(budget.used() + least)));
+  }
+  plan.cache_bytes = std::clamp(available / 12, IndexCaches::least_memory(options.threads),
+                                std::max(IndexCaches::least_memory(options.threads),
+                                         IndexCaches::most_memory(index.point_count)));
+  plan.cache_bytes = std::min(plan.cache_bytes, available / 4);
+  plan.pole_pages = std::max<std::uint64_t>(2, available / 12 / PoleIndex::kPageMemory);
+  const std::uint64_t rest =
+      available - plan.cache_bytes - plan.pole_pages * PoleIndex::kPageMemory;
+  plan.threads = static_cast<unsigned>(std::clamp<std::uint64_t>(
+      rest / (fixed + kLeastSamples * kBytesASample), 1, options.threads));
+  plan.fixed_bytes = fixed;
+  plan.window_bytes = rest / plan.threads - fixed;
+  std::uint64_t points = plan.window_bytes / kBytesASample;
+  if (options.window_points != 0) points = std::min(points, options.window_points);
+  points = std::max(points, kLeafPoints);
+  std::uint64_t windows = quotient_up(index.point_count, points);
+  windows = quotient_up(windows, plan.threads) * plan.threads;
+  plan.window_points = quotient_up(quotient_up(index.point_count, windows), kLeafPoints) *
+                       kLeafPoints;
+  return plan;
+}
+
+class WindowLoop {
+ public:
+  WindowLoop(const CloudIndex& index, const Plan& plan, const StageContext& context)
+      : index_(index),
+        plan_(plan),
+        context_(context),
+        memory_(context.budget.reserve(
+            plan.cache_bytes + plan.pole_pages * PoleIndex::kPageMemory +
+                plan.threads * (plan.fixed_bytes + plan.window_bytes),
+            "the windows of the crust")),
+        poles_(context.scratch, plan.pole_pages),
+        caches_(context.scratch, index, plan.cache_bytes) {}
+
+  CrustWindows run() {
+    context_.progress.begin_stage("crust", index_.point_count, "points");
+    parallel_for_ranges(plan_.threads, 1, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t worker = begin; worker < end; ++worker) work();
+    });
+    context_.progress.end_stage();
+    return std::move(result_);
+  }
+
+ private:
+  void work() {
+    IndexReader reader(caches_);
+    PoleFinder finder(poles_);
+    CertifiedWindow samples(index_, reader, context_, {.whole_stars = true});
+    for (;;) {
+      const OwnedRange owned = next_range();
+      if (owned.count == 0) return;
+      build(samples, finder, owned);
+    }
+  }
+
+  OwnedRange next_range() {
+    const std::lock_guard lock(mutex_);
+    const OwnedRange owned{next_, std::min(plan_.window_points, index_.point_count - next_)};
+    next_ += owned.count;
+    return owned;
+  }
+
+  void build(CertifiedWindow& samples, PoleFinder& finder, const OwnedRange& owned) {
+    if (!try_build(samples, finder, owned)) {
+      samples.clear();
+      split(samples, finder, owned);
+      return;
+    }
+    samples.clear();
+    context_.progress.advance(owned.count);
+  }
+
+  bool try_build(CertifiedWindow& samples, PoleFinder& finder, const OwnedRange& owned) {
+    using Outcome = CertifiedWindow::Outcome;
+    if (samples.build(owned, plan_.window_bytes) != Outcome::kDone) return false;
+    std::optional<PowerWindow> power(std::in_place, samples, poles_, finder);
+    if (power->build(owned, plan_.window_bytes) != Outcome::kDone) return false;
+    if (power->bytes() + crust_faces_memory(*power) > plan_.window_bytes) return false;
+    const CrustFaces faces = crust_faces(*power, reserve_number());
+    const PowerCounts counts = power->counts();
+    power.reset();
+    write(owned, faces, counts);
+    return true;
+  }
+
+  std::uint32_t reserve_number() {
+    const std::lock_guard lock(mutex_);
+    result_.windows.emplace_back();
+    return static_cast<std::uint32_t>(result_.windows.size() - 1);
+  }
+
+  void write(const OwnedRange& owned, const CrustFaces& faces, const PowerCounts& counts) {
+    const CrustWindow window{owned.first, static_cast<std::uint32_t>(faces.vertices.size())};
+    if (!faces.vertices.empty()) {
+      auto vertices = create_records<CrustVertex>(context_.scratch, window.vertices_file(), kBlock);
+      vertices.append(std::span<const CrustVertex>(faces.vertices));
+      vertices.finish();
+      auto triangles =
+          create_records<CrustTriangle>(context_.scratch, window.triangles_file(), kBlock);
+      triangles.append(std::span<const CrustTriangle>(faces.triangles));
+      triangles.finish();
+    }
+    const std::lock_guard lock(mutex_);
+    if (!faces.vertices.empty()) result_.windows[faces.vertices[0].window] = window;
+    result_.counts.add(counts);
+    result_.faces += faces.faces;
+    result_.unbounded += faces.unbounded;
+  }
+
+  void split(CertifiedWindow& samples, PoleFinder& finder, const OwnedRange& owned) {
+    if (owned.count <= kLeafPoints) {
+      throw BudgetError(fmt::format(
+          "the balls around {} points need more than the {} that --memory {} leaves a window of "
+          "the crust; give twice as much, or --threads 1",
+          owned.count, size_text(plan_.window_bytes), size_argument(context_.budget.limit())));
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      ++result_.splits;
+    }
+    const std::uint64_t half = quotient_up(owned.count / 2, kLeafPoints) * kLeafPoints;
+    build(samples, finder, {owned.first, half});
+    build(samples, finder, {owned.first + half, owned.count - half});
+  }
+
+  const CloudIndex& index_;
+  const Plan plan_;
+  const StageContext& context_;
+  Reservation memory_;
+  PoleIndex poles_;
+  IndexCaches caches_;
+  std::mutex mutex_;  ///< guards what follows
+  PointRank next_ = 0;
+  CrustWindows result_;
+};
+
+}  // namespace
+
+CrustWindows build_crust_windows(const CloudIndex& index, const CrustWindowOptions& options,
+                                 const StageContext& context) {
+  return WindowLoop(index, plan_for(index, options, context.budget), context).run();
+}
+
+}  // namespace stream_recon

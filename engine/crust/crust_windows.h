@@ -1,0 +1,46 @@
+// The crust's faces, window by window: all poles inside the body, cut into windows by their lowest
+// sample, and what each emits on disk.
+//
+// Guarantees: every face of the crust is in one window's files; a window that outgrows its memory
+// is split and built again. Thread rule: one caller; windows side by side. Memory: all that the
+// budget has left, or less if the cloud needs less. Cost: about 60 us a sample and thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/power/power_window.h"
+#include "engine/stage_context.h"
+#include "engine/windows/cloud_index.h"
+
+namespace stream_recon {
+
+/// What one window left.
+struct CrustWindow {
+  std::uint64_t first_rank = 0;  ///< of its samples
+  std::uint32_t vertices = 0;
+
+  std::string vertices_file() const { return "crust_vertices_" + std::to_string(first_rank); }
+  std::string triangles_file() const { return "crust_triangles_" + std::to_string(first_rank); }
+};
+
+struct CrustWindows {
+  std::vector<CrustWindow> windows;  ///< as CrustVertex::window numbers them
+  PowerCounts counts;
+  std::uint64_t faces = 0;
+  std::uint64_t unbounded = 0;  ///< faces left out
+  std::uint64_t splits = 0;
+};
+
+struct CrustWindowOptions {
+  unsigned threads = 1;
+  std::uint64_t window_points = 0;  ///< samples of a window at most; 0: as many as the memory allows
+};
+
+/// \pre The pole store and the index are in the scratch directory.
+/// \throw BudgetError, IoError, InputError, Interrupted
+CrustWindows build_crust_windows(const CloudIndex& index, const CrustWindowOptions& options,
+                                 const StageContext& context);
+
+}  // namespace stream_recon
