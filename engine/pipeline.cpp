@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/alpha/alpha_filter.h"
+#include "engine/crust/crust_stage.h"
 #include "engine/disk_estimate.h"
 #include "engine/gamma/gamma_filter.h"
 #include "engine/labels/evidence_collector.h"
@@ -73,15 +74,11 @@ class Pipeline {
     const ExportReader exports(context_.scratch, context_.budget);
     if (options_.needs_labels()) label(exports, layout);
     if (surface_writer != nullptr) {
-      const ExportReader facets(context_.scratch, context_.budget,
-                                is_solid() ? kLabelledPrefix : kExportPrefix);
-      log_.run("surface", [&] {
-        build_surface({facets, layout}, *surface_writer,
-                      {.is_solid = is_solid(),
-                       .splits = options_.manifold,
-                       .range = cloud.range,
-                       .unused = unused_writer.get()});
-      });
+      if (is_crust()) {
+        surface_crust(cloud, order, *surface_writer);
+      } else {
+        surface_cloud(cloud, layout, {surface_writer.get(), nullptr, unused_writer.get(), nullptr});
+      }
     }
     if (tetrahedra_writer != nullptr) {
       log_.run("tetrahedra", [&] {
@@ -98,16 +95,26 @@ class Pipeline {
       });
     }
     report_input(cloud, order);
-    report_samples(order);
+    report_samples(cloud, order);
     report_.stages = log_.stages();
     report_.memory_over_time = trace_.stop();
     report_.seconds = log_.seconds();
   }
 
  private:
+  struct Writers {
+    SurfaceWriter* surface;
+    TetrahedraWriter* tetrahedra;
+    PointsWriter* unused;
+    MedialAxisWriter* axis;
+  };
+
   CloudSummary read_input() {
     const CloudSummary cloud = log_.run("ingest", [&] {
-      return ingest({options_.inputs, options_.input_format}, context_);
+      return ingest({.inputs = options_.inputs,
+                     .format = options_.input_format,
+                     .adds_far_points = is_crust()},
+                    context_);
     });
     log_.add_bytes_read(cloud.bytes);
     return cloud;
@@ -130,7 +137,7 @@ class Pipeline {
   std::unique_ptr<SurfaceWriter> make_writer(const CloudSummary& cloud) const {
     if (options_.surface == SurfaceKind::kNone) return nullptr;
     return make_surface_writer({.path = options_.output,
-                                .coordinates = scalar_of(cloud),
+                                .coordinates = is_crust() ? Scalar::kFloat64 : scalar_of(cloud),
                                 .scratch = &context_.scratch,
                                 .has_closure = is_solid(),
                                 .has_sheets = options_.manifold});
@@ -148,11 +155,11 @@ class Pipeline {
   }
 
   std::unique_ptr<MedialAxisWriter> make_axis_writer() const {
-    if (!needs_poles()) return nullptr;
+    if (options_.medial_axis.empty()) return nullptr;
     return std::make_unique<MedialAxisWriter>(options_.medial_axis);
   }
 
-  bool needs_poles() const { return !options_.medial_axis.empty(); }
+  bool is_crust() const { return options_.surface == SurfaceKind::kCrust; }
   bool is_solid() const { return options_.surface == SurfaceKind::kSolid; }
 
   /// Those that the journal lacks.
@@ -194,7 +201,7 @@ class Pipeline {
           SpacingCache::memory(index.point_count, report_.threads, context_.budget.available());
       cache = context_.budget.reserve(bytes, "the spacings of points");
       spacings.emplace(context_.scratch, index, bytes);
-      evidence.emplace(*spacings, context_.stop, needs_poles());
+      evidence.emplace(*spacings, context_.stop, options_.needs_poles());
       consumers.push_back(&*evidence);
       stage.consumer_bytes_a_point = EvidenceCollector::kBytesAnOwnedPoint;
       stage.whole_stars = true;
@@ -215,7 +222,7 @@ class Pipeline {
       if (is_solid()) export_solid(exports, layout, merged.labels);
       return merged;
     });
-    if (!needs_poles()) return;
+    if (!options_.needs_poles()) return;
     log_.run("poles", [&] { report_.poles = store_poles(exports, forest.labels, context_); });
   }
 
@@ -234,6 +241,46 @@ class Pipeline {
                        .takes_inner = side != PoleSide::kOuter,
                        .takes_outer = side != PoleSide::kInner},
                       writer, context_);
+  }
+
+  void surface_cloud(const CloudSummary& cloud, const ChunkLayout& layout,
+                     const Writers& writers) {
+    const ExportReader facets(context_.scratch, context_.budget,
+                              is_solid() ? kLabelledPrefix : kExportPrefix);
+    log_.run("surface", [&] {
+      build_surface({facets, layout}, *writers.surface,
+                    {.is_solid = is_solid(),
+                     .splits = options_.manifold,
+                     .range = cloud.range,
+                     .unused = writers.unused});
+    });
+  }
+
+  void surface_crust(const CloudSummary& cloud, const OrderResult& order, SurfaceWriter& writer) {
+    const CrustSurface crust = log_.run("crust", [&] {
+      return build_crust(cloud, order.point_count,
+                         {.threads = report_.threads,
+                          .window_points = options_.window_points,
+                          .chunk_points = options_.chunk_points},
+                         context_);
+    });
+    const ExportReader facets(context_.scratch, context_.budget, kCrustPrefix);
+    const ChunkLayout layout{options_.chunk_points, crust.facts.vertices};
+    log_.run("surface", [&] {
+      build_surface({facets, layout, kCrustPoints}, writer,
+                    {.is_solid = true, .splits = options_.manifold, .range = crust.facts.range});
+    });
+    report_.surface.samples_on_surface = crust.facts.samples;
+    report_.power = {.windows = crust.windows,
+                     .poles = crust.counts.owned,
+                     .guests = crust.counts.guests,
+                     .rounds = crust.counts.rounds,
+                     .walks = crust.counts.walks,
+                     .tests = crust.counts.tests,
+                     .unbounded_faces = crust.unbounded,
+                     .insert_seconds = crust.counts.insert_seconds,
+                     .walk_seconds = crust.counts.walk_seconds,
+                     .prove_seconds = crust.counts.prove_seconds};
   }
 
   void build_surface(const ExportedFacets& facets, SurfaceWriter& writer,
@@ -256,9 +303,10 @@ class Pipeline {
     report_.surface.area = facts.area;
   }
 
-  void report_samples(const OrderResult& order) {
+  void report_samples(const CloudSummary& cloud, const OrderResult& order) {
     if (options_.surface == SurfaceKind::kNone) return;
-    report_.surface.unused_samples = order.point_count - report_.surface.samples_on_surface;
+    report_.surface.unused_samples =
+        order.point_count - cloud.far_points - report_.surface.samples_on_surface;
   }
 
   void report_input(const CloudSummary& cloud, const OrderResult& order) {
@@ -277,13 +325,6 @@ class Pipeline {
                        .insert_seconds = totals.counts.insert_seconds,
                        .search_seconds = totals.counts.search_seconds};
   }
-
-  struct Writers {
-    SurfaceWriter* surface;
-    TetrahedraWriter* tetrahedra;
-    PointsWriter* unused;
-    MedialAxisWriter* axis;
-  };
 
   /// All outputs or none: what can run into a full disk comes before the first final name, and the
   /// others step back if the surface fails.

@@ -100,6 +100,8 @@ const char* kind_name(SurfaceKind kind) {
       return "alpha";
     case SurfaceKind::kSolid:
       return "solid";
+    case SurfaceKind::kCrust:
+      return "crust";
     case SurfaceKind::kNone:
       break;
   }

@@ -26,7 +26,7 @@
 
 namespace stream_recon {
 
-enum class SurfaceKind { kGamma, kAlpha, kSolid, kNone };
+enum class SurfaceKind { kGamma, kAlpha, kSolid, kCrust, kNone };
 
 /// As on the command line.
 const char* kind_name(SurfaceKind kind);
@@ -83,7 +83,9 @@ struct RunOptions {
   StopRequest* stop = nullptr;  ///< looked at while the run lasts, if given
 
   /// Whether tetrahedra are labelled inside and outside.
-  bool needs_labels() const { return surface == SurfaceKind::kSolid || !medial_axis.empty(); }
+  bool needs_labels() const { return surface == SurfaceKind::kSolid || needs_poles(); }
+  /// Whether the poles of the cloud are stored.
+  bool needs_poles() const { return surface == SurfaceKind::kCrust || !medial_axis.empty(); }
 
   /// The folder that the scratch folder is made in.
   std::string scratch_parent() const;

@@ -44,6 +44,19 @@ Json poles_json(const PoleReport& poles) {
           {"inner", poles.inner}, {"outer", poles.outer},           {"conflicts", poles.conflicts}};
 }
 
+Json power_json(const PowerReport& power) {
+  return {{"windows", power.windows},
+          {"poles", power.poles},
+          {"guests", power.guests},
+          {"rounds", power.rounds},
+          {"walks", power.walks},
+          {"tests", power.tests},
+          {"unbounded_faces", power.unbounded_faces},
+          {"insert_seconds", power.insert_seconds},
+          {"walk_seconds", power.walk_seconds},
+          {"prove_seconds", power.prove_seconds}};
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -101,6 +114,7 @@ std::string to_json(const Report& report) {
   };
   if (report.input.spacing) json["input"]["spacing"] = *report.input.spacing;
   if (report.poles) json["poles"] = poles_json(*report.poles);
+  if (report.power) json["power"] = power_json(*report.power);
   using Pointer = Json::json_pointer;
   return dump(json, {Pointer("/surface/delta_histogram"), Pointer("/memory_over_time/seconds"),
                      Pointer("/memory_over_time/resident_bytes")}) +

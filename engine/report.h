@@ -38,6 +38,20 @@ struct PoleReport {
   std::uint64_t conflicts = 0;  ///< balls whose tetrahedra do not all lie on one side
 };
 
+/// The windows of the power diagram (engine/power/power_window.h).
+struct PowerReport {
+  std::uint64_t windows = 0;
+  std::uint64_t poles = 0;   ///< inner ones, whose stars were proved
+  std::uint64_t guests = 0;  ///< poles beside them, of all windows
+  std::uint64_t rounds = 0;
+  std::uint64_t walks = 0;
+  std::uint64_t tests = 0;  ///< of tetrahedra, on walks
+  std::uint64_t unbounded_faces = 0;
+  double insert_seconds = 0;  ///< of all threads together
+  double walk_seconds = 0;
+  double prove_seconds = 0;
+};
+
 struct Report {
   struct {
     std::uint64_t points = 0;      ///< as delivered, duplicates and rejected ones included
@@ -74,6 +88,7 @@ struct Report {
     DeltaHistogram delta_histogram{};
   } surface;
   std::optional<PoleReport> poles;  ///< where the run needed them
+  std::optional<PowerReport> power;
   struct {
     std::uint64_t count = 0;
     std::uint64_t splits = 0;       ///< windows that were begun too large

@@ -64,9 +64,9 @@ void check_chunked(const RunOptions& options) {
   require(axis.empty() || axis.ends_with(".pvtp"),
           fmt::format("--medial-axis {}: the name must end in .pvtp", axis));
   const SurfaceKind kind = options.surface;
-  require(axis.empty() || kind == SurfaceKind::kSolid || kind == SurfaceKind::kNone,
+  require(axis.empty() || (kind != SurfaceKind::kGamma && kind != SurfaceKind::kAlpha),
           fmt::format("--medial-axis needs an inside, and --surface {} has none; "
-                      "use --surface solid or none",
+                      "use --surface solid, crust or none",
                       kind_name(kind)));
   const std::string surface = kind == SurfaceKind::kNone ? "" : options.output;
   require_apart("-o", surface, "--tetrahedra", tetrahedra);
@@ -81,6 +81,9 @@ void check_unused(const RunOptions& options) {
   require(options.surface != SurfaceKind::kNone,
           "--unused names the points that no triangle has, but --surface none makes no triangles; "
           "leave one of them out");
+  require(options.surface != SurfaceKind::kCrust,
+          "--unused names samples that no triangle has, and the crust has corners of its own; "
+          "leave --unused out or use --surface solid");
   const auto unused = place_of(path);
   const auto require_outside = [&](const char* option, const std::string& other) {
     if (other.empty() || other == "-") return;
@@ -113,7 +116,7 @@ void check_thresholds(const RunOptions& options) {
 /// Splitting needs a surface that is closed, whose triangles are known to face away from an inside.
 void check_manifold(const RunOptions& options) {
   if (!options.manifold) return;
-  require(options.surface == SurfaceKind::kSolid,
+  require(options.surface == SurfaceKind::kSolid || options.surface == SurfaceKind::kCrust,
           fmt::format("--manifold splits surfaces that have an inside, and --surface {} has none; "
                       "leave --manifold out",
                       kind_name(options.surface)));

@@ -165,9 +165,8 @@ void refuse_what_is_not_yet(const CommandLine& line) {
     throw std::invalid_argument(
         fmt::format("{} is not yet in version {}; {}", what, version(), instead));
   };
-  if (line.surface != "gamma" && line.surface != "alpha" && line.surface != "solid" &&
-      line.surface != "none") {
-    refuse("--surface " + line.surface, "use solid, gamma, alpha or none");
+  if (line.surface == "hybrid") {
+    refuse("--surface hybrid", "use solid, crust, gamma, alpha or none");
   }
 }
 
@@ -181,8 +180,9 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
           "--delta-max is for --surface gamma; leave it out");
   const bool has_axis = !line.run.medial_axis.empty();
   for (const char* option : {"--open", "--spacing"}) {
-    const bool is_axis_too = has_axis && std::string_view(option) == "--spacing";
-    if (line.surface != "solid" && !is_axis_too && app.count(option) != 0) {
+    const bool has_labels = has_axis || line.surface == "crust";
+    const bool is_theirs = has_labels && std::string_view(option) == "--spacing";
+    if (line.surface != "solid" && !is_theirs && app.count(option) != 0) {
       throw std::invalid_argument(
           fmt::format("{0} is for --surface solid; add that or leave {0} out", option));
     }
@@ -232,6 +232,7 @@ void reconstruct_and_report(CommandLine& line, StopRequest& stop) {
   const std::map<std::string, SurfaceKind> kinds{{"gamma", SurfaceKind::kGamma},
                                                  {"alpha", SurfaceKind::kAlpha},
                                                  {"solid", SurfaceKind::kSolid},
+                                                 {"crust", SurfaceKind::kCrust},
                                                  {"none", SurfaceKind::kNone}};
   line.run.surface = kinds.at(line.surface);
   line.run.stop = &stop;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/order/far_points.h"
 #include "engine/order/stored_point.h"
 #include "engine/parallel_records.h"
 
@@ -69,6 +70,13 @@ CloudSummary ingest(const IngestOptions& options, const StageContext& context) {
     summary.bytes += source->bytes_read();
     widen(summary.spacing, source->metadata().spacing);
     context.progress.end_stage();
+  }
+  if (options.adds_far_points && !summary.box.empty()) {
+    for (const Point3& p : far_points(summary.box)) {
+      spool.append({p, summary.points + summary.far_points++});
+      summary.range.extend(p);
+      summary.box.extend(p);
+    }
   }
   spool.finish();
   return summary;

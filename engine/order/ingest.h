@@ -21,20 +21,24 @@ namespace stream_recon {
 struct IngestOptions {
   std::vector<std::string> inputs;  ///< at least one, "-" for standard input
   InputFormat format = InputFormat::kAuto;
+  /// Adds eight points far around the cloud, numbered on from the last input point.
+  bool adds_far_points = false;
 };
 
 struct CloudSummary {
   std::uint64_t points = 0;    ///< as delivered, rejected ones included
   std::uint64_t rejected = 0;  ///< not finite
+  std::uint64_t far_points = 0;  ///< added to those delivered
   std::uint64_t bytes = 0;     ///< of the inputs, as they lay there
-  Box3 box;                    ///< of the finite points
-  CoordinateRange range;       ///< of the finite points
+  Box3 box;                    ///< of the finite points, far points as well
+  CoordinateRange range;       ///< of the same
   bool fits_float32 = true;    ///< every coordinate is a float32
   /// Of the grid the points were sampled on, along its axes: of all inputs that say one, the
   /// widest.
   std::optional<SampleSpacing> spacing;
 
-  std::uint64_t finite_points() const { return points - rejected; }
+  /// Far points as well.
+  std::uint64_t finite_points() const { return points - rejected + far_points; }
 };
 
 /// Name of the spool (records of StoredPoint) in the scratch directory.

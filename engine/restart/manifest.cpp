@@ -24,6 +24,7 @@ Point3 point_from(const Json& json) {
 Json cloud_json(const CloudSummary& cloud) {
   Json json{{"points", cloud.points},
             {"rejected", cloud.rejected},
+            {"far_points", cloud.far_points},
             {"bytes", cloud.bytes},
             {"low", point_json(cloud.box.low)},
             {"high", point_json(cloud.box.high)},
@@ -38,6 +39,7 @@ CloudSummary cloud_from(const Json& json) {
   CloudSummary cloud;
   json.at("points").get_to(cloud.points);
   json.at("rejected").get_to(cloud.rejected);
+  json.at("far_points").get_to(cloud.far_points);
   json.at("bytes").get_to(cloud.bytes);
   cloud.box = {point_from(json.at("low")), point_from(json.at("high"))};
   json.at("unit_exponent").get_to(cloud.range.unit_exponent);

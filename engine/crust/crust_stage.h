@@ -1,0 +1,32 @@
+// The power crust: from the labelled poles to a surface over a point store of its own.
+//
+// Guarantees and memory as of crust/crust_windows.h and crust/crust_assembly.h, which it calls. What
+// an earlier, interrupted run left of it is removed first. Thread rule: one caller.
+#pragma once
+
+#include "engine/crust/crust_assembly.h"
+#include "engine/crust/crust_windows.h"
+#include "engine/order/ingest.h"
+#include "engine/stage_context.h"
+
+namespace stream_recon {
+
+struct CrustStageOptions {
+  unsigned threads = 1;
+  std::uint64_t window_points = 0;  ///< samples of a window at most; 0: as many as the memory allows
+  std::uint64_t chunk_points = 1;
+};
+
+struct CrustSurface {
+  CrustFacts facts;
+  PowerCounts counts;
+  std::uint64_t windows = 0;
+  std::uint64_t unbounded = 0;  ///< faces left out
+};
+
+/// \pre The pole store is in the scratch directory, and `cloud` has far points.
+/// \throw BudgetError, IoError, InputError, Interrupted
+CrustSurface build_crust(const CloudSummary& cloud, std::uint64_t point_count,
+                         const CrustStageOptions& options, const StageContext& context);
+
+}  // namespace stream_recon
