@@ -170,7 +170,7 @@ class Pipeline {
           log_.run("index", [&] { return build_index(cloud, points, context_); });
       const bool needs_labels = options_.needs_labels();
       if (needs_labels) log_.run("spacing", [&] { measure_spacings(cloud, index); });
-      log_.run("windows", [&] { build_windows(index, layout); });
+      log_.run("windows", [&] { build_windows(cloud, index, layout); });
       context_.scratch.remove(kIndexPages);
       if (needs_labels) context_.scratch.remove(kSpacings);
     }
@@ -187,7 +187,8 @@ class Pipeline {
     measure_spacing(index, options_.grid_spacing ? options_.grid_spacing : cloud.spacing, context_);
   }
 
-  void build_windows(const CloudIndex& index, const ChunkLayout& layout) {
+  void build_windows(const CloudSummary& cloud, const CloudIndex& index,
+                     const ChunkLayout& layout) {
     const Reservation memory =
         context_.budget.reserve(report_.threads * kConsumerMemory, "facets on their way");
     std::vector<WindowConsumer*> consumers;
@@ -201,7 +202,9 @@ class Pipeline {
           SpacingCache::memory(index.point_count, report_.threads, context_.budget.available());
       cache = context_.budget.reserve(bytes, "the spacings of points");
       spacings.emplace(context_.scratch, index, bytes);
-      evidence.emplace(*spacings, context_.stop, options_.needs_poles());
+      evidence.emplace(*spacings, context_.stop,
+                       EvidenceOptions{.hands_on_poles = options_.needs_poles(),
+                                       .samples = cloud.points});
       consumers.push_back(&*evidence);
       stage.consumer_bytes_a_point = EvidenceCollector::kBytesAnOwnedPoint;
       stage.whole_stars = true;

@@ -166,13 +166,16 @@ void EvidenceCollector::consume(const FinalWindow& window, ExportWriter& out) {
   std::vector<float> spacing(vertices);
   {
     SpacingReader reader(spacings_);
-    for (VertexId v = 0; v < vertices; ++v) spacing[v] = reader.at(window.rank(v));
+    for (VertexId v = 0; v < vertices; ++v) {
+      const bool is_sample = window.input_index(v) < options_.samples;
+      spacing[v] = is_sample ? reader.at(window.rank(v)) : kNoSample;
+    }
   }
   StarBalls balls(window, spacings_.scale());
   Collection collection(window, balls, std::move(spacing), out);
   balls.drop_centres();
   collection.run(stop_);
-  if (hands_on_poles_) collection.export_balls_of_poles();
+  if (options_.hands_on_poles) collection.export_balls_of_poles();
 }
 
 // The forest comes when the centres are gone, what is exported when the entries are.
@@ -196,7 +199,7 @@ std::uint64_t EvidenceCollector::memory(const FinalWindow& window) const {
   const std::uint64_t exporting =
       poles + forest + edges + border * sizeof(NodeKey) + evidence_export_memory(border);
   const std::uint64_t balls =
-      hands_on_poles_ ? poles + forest + pole_export_memory(window.owned_count()) : 0;
+      options_.hands_on_poles ? poles + forest + pole_export_memory(window.owned_count()) : 0;
   return SpacingReader::kMemory + window.delaunay().vertex_count() * sizeof(float) +
          NodeSet::memory(cells.slots()) + NodeSet::memory(with_owned + 1) +
          std::max({evidence, contracting, exporting, balls});

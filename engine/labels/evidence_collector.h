@@ -8,20 +8,30 @@
 // about 330 bytes an owned point. Cost: about 8 us an owned point, 1 more with poles.
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "engine/interrupt.h"
 #include "engine/spacing/spacing_reader.h"
 #include "engine/windows/final_window.h"
 
 namespace stream_recon {
 
+struct EvidenceOptions {
+  bool hands_on_poles = false;  ///< for poles/pole_stage.h
+  /// Points from this input index on are no samples (order/far_points.h): they have no poles, and
+  /// say nothing about the spacing.
+  std::uint64_t samples = std::numeric_limits<std::uint64_t>::max();
+};
+
 class EvidenceCollector : public WindowConsumer {
  public:
   /// For the plan of the windows, bytes.
   static constexpr std::uint64_t kBytesAnOwnedPoint = 330;
 
-  /// \param hands_on_poles for poles/pole_stage.h \pre Both others outlive the collector.
-  EvidenceCollector(SpacingCache& spacings, const StopRequest& stop, bool hands_on_poles)
-      : spacings_(spacings), stop_(stop), hands_on_poles_(hands_on_poles) {}
+  /// \pre Both others outlive the collector.
+  EvidenceCollector(SpacingCache& spacings, const StopRequest& stop, const EvidenceOptions& options)
+      : spacings_(spacings), stop_(stop), options_(options) {}
 
   /// \pre Whole stars are final; fewer than 2^32 - 1 points.
   void consume(const FinalWindow& window, ExportWriter& out) override;
@@ -30,7 +40,7 @@ class EvidenceCollector : public WindowConsumer {
  private:
   SpacingCache& spacings_;
   const StopRequest& stop_;
-  bool hands_on_poles_;
+  EvidenceOptions options_;
 };
 
 }  // namespace stream_recon

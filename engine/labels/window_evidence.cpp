@@ -37,6 +37,9 @@ WindowEvidence::WindowEvidence(const FinalWindow& window, std::span<const float>
       first_pair_name_(~(window.owned_count() - 1)) {
   assert(4 * std::uint64_t{cells_.slots()} < first_pair_name_);
   entries_.reserve(most_edges(balls.count() + balls.infinite_count(), window.owned_count()));
+  for (VertexId v = 0; v < window.owned_count(); ++v) {
+    if (spacing[v] == kNoSample) poles_.forget(v);
+  }
   add_facets(balls);
   add_poles(balls);
 }

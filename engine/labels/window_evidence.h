@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,9 +21,13 @@
 
 namespace stream_recon {
 
+/// The spacing of a vertex that is no sample: smaller than that of any sample.
+inline constexpr float kNoSample = std::numeric_limits<float>::min();
+
 class WindowEvidence {
  public:
-  /// \param spacing of every vertex, scaled as the balls are; outlives the evidence, as the window
+  /// \param spacing of every vertex, scaled as the balls are, or kNoSample; outlives the evidence, as
+  ///        the window does
   WindowEvidence(const FinalWindow& window, std::span<const float> spacing, const StarBalls& balls);
 
   /// For so many cells with an owned vertex, and owned points; the balls not counted.

@@ -40,6 +40,8 @@ class StarPoles {
 
   /// Of an owned vertex.
   PolePair pair(VertexId v) const { return samples_[v].poles; }
+  /// The vertex is no sample and has none.
+  void forget(VertexId v) { samples_[v].poles = {}; }
   /// How its balls stand to each other, scaled as `balls` is. \pre the pair is complete
   PoleBalls balls_of(VertexId v, const StarBalls& balls) const;
 
