@@ -114,8 +114,10 @@ TEST(MedialAxis, OfATorusIsItsCoreCircle) {
     const double off = std::hypot(std::hypot(ball.centre.x, ball.centre.y) - 3, ball.centre.z);
     EXPECT_LT(off, 0.1);
     EXPECT_NEAR(ball.radius, 1, 0.1);
-    EXPECT_GT(ball.angle, 90);
   }
+  const auto wide = std::count_if(axis->balls.begin(), axis->balls.end(),
+                                  [](const Ball& ball) { return ball.angle > 120; });
+  EXPECT_GT(static_cast<std::size_t>(wide), axis->balls.size() / 2);
 }
 
 TEST(MedialAxis, HasTheSideAskedForAndTheSurfaceIsAsWithoutIt) {
@@ -144,11 +146,11 @@ TEST(MedialAxis, HasTheSideAskedForAndTheSurfaceIsAsWithoutIt) {
 TEST(MedialAxis, IsTheSameForAnyMemoryThreadsAndSurface) {
   const CommandFolder folder;
   ASSERT_EQ(folder
-                .run("make-cloud folded -n 100000 --sampling centres --slice-step 2 "
+                .run("make-cloud folded -n 40000 --sampling centres --slice-step 2 "
                      "-o cloud.f64")
                 .exit_code,
             0);
-  const std::string run = "--chunk-points 30000 --medial-axis-side both ";
+  const std::string run = "--chunk-points 9000 --medial-axis-side both ";
   const auto first = report_of(folder, run + "-o s.pvtp --medial-axis first.pvtp --memory 1G");
   EXPECT_GT(first["poles"]["coincident"], 0);
   for (const std::string options :

@@ -293,6 +293,9 @@ TEST_F(Restart, KnowsEachOptionThatASolidDependsOn) {
   EXPECT_EQ(difference(open, identity_of(options)), "--spacing: nothing then, 1,1,2.5 now");
   options.unused.clear();
   EXPECT_FALSE(have_same_outputs(open, identity_of(options)));
+  options = options_in(folder_);
+  options.medial_axis.clear();
+  EXPECT_FALSE(have_same_outputs(open, identity_of(options)));
 }
 
 TEST_F(Restart, OfAnotherOutputLeavesTheDeadRunAlone) {
@@ -321,6 +324,7 @@ RunOptions options_without_files(const TestFolder& folder) {
   options.surface = SurfaceKind::kNone;
   options.tetrahedra.clear();
   options.unused.clear();
+  options.medial_axis.clear();
   options.scratch = folder.path();
   return options;
 }
