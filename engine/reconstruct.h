@@ -41,17 +41,20 @@ struct RunOptions {
   std::vector<std::string> inputs;  ///< files, read one after the other; "-" is standard input
   InputFormat input_format = InputFormat::kAuto;
 
+  /// kCrust adds eight far points to the cloud, which the Delaunay structure and its figures in the
+  /// report then include (docs/algorithms/crust.md).
   SurfaceKind surface = SurfaceKind::kSolid;
   double delta_max_degrees = 90;  ///< gamma: facets below this angle, (0, 180]
   double alpha = 0;               ///< alpha: radius > 0, units of the input
   /// solid: facets beyond the gamma shape are left out where their circumradius is more than this
   /// many spacings of the samples; > 0. Nothing: the surface is closed.
   std::optional<double> open_ratio;
-  /// solid: of the grid that the points were sampled on, along its axes, units of the input; each
-  /// > 0. Nothing: as the inputs say.
+  /// solid, crust, and with medial_axis: of the grid that the points were sampled on, along its
+  /// axes, units of the input; each > 0. Nothing: as the inputs say.
   std::optional<std::array<double, 3>> grid_spacing;
 
-  /// Split the surface where it touches itself, so that it is a manifold. Needs a closed surface.
+  /// Split the surface where it touches itself, so that it is a manifold. Needs a closed surface:
+  /// solid or crust.
   bool manifold = false;
 
   /// Ends in .pvtp, .ply or .vtk, or is "-" for PLY on standard output; not used for kNone.
@@ -59,10 +62,12 @@ struct RunOptions {
   /// Also writes all finite Delaunay tetrahedra; ends in .pvtu, empty for none. No output lies in
   /// the folder of another's chunks.
   std::string tetrahedra;
-  /// Also writes the medial axis, as balls; ends in .pvtp, empty for none. For kSolid and kNone.
+  /// Also writes the medial axis, as balls; ends in .pvtp, empty for none. For kSolid, kCrust and
+  /// kNone.
   std::string medial_axis;
   PoleSide medial_axis_side = PoleSide::kInner;
-  /// Also writes the points that no triangle of the surface has; ends in .ply, empty for none.
+  /// Also writes the points that no triangle of the surface has; ends in .ply, empty for none. Not
+  /// for kCrust, which has vertices of its own.
   std::string unused;
   std::uint64_t chunk_points = 100'000;  ///< points of the Hilbert order that share a chunk, >= 1
 

@@ -60,9 +60,10 @@ void add_spacing(CLI::App& app, std::optional<std::array<double, 3>>& spacing) {
     spacing = lengths;
     return true;
   };
-  app.add_option("--spacing", read,
-                 "solid: of the grid the points were sampled on, SX,SY,SZ or one number, units of "
-                 "the input (default: what the input says)")
+  app.add_option(
+         "--spacing", read,
+         "solid, crust: of the grid the points were sampled on, SX,SY,SZ or one number, units "
+         "of the input (default: what the input says)")
       ->option_text("S");
 }
 
@@ -71,9 +72,10 @@ void add_medial_axis_options(CLI::App& app, RunOptions& run) {
   for (const char* name : kPoleSideNames) {
     sides.emplace(name, static_cast<PoleSide>(sides.size()));
   }
-  app.add_option("--medial-axis", run.medial_axis,
-                 "solid, none: also the medial axis, balls that touch the samples from within: "
-                 "OUT.pvtp with a folder of chunks")
+  app.add_option(
+         "--medial-axis", run.medial_axis,
+         "solid, crust, none: also the medial axis, balls that touch the samples from within: "
+         "OUT.pvtp with a folder of chunks")
       ->option_text("OUT");
   app.add_option("--medial-axis-side", run.medial_axis_side,
                  "Which balls: inner (default), outer or both")
@@ -86,7 +88,7 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
          "-o,--output", line.run.output,
          "OUT.pvtp with a folder of chunks, OUT.ply or OUT.vtk, or - for PLY on standard output")
       ->option_text("OUT");
-  app.add_option("--surface", line.surface, "solid (default), gamma, alpha or none")
+  app.add_option("--surface", line.surface, "solid (default), crust, gamma, alpha or none")
       ->check(CLI::IsMember({"gamma", "alpha", "none", "crust", "hybrid", "solid"}))
       ->option_text("KIND");
   app.add_option("--delta-max", line.run.delta_max_degrees,
@@ -99,11 +101,13 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
          "solid: leave facets beyond the gamma shape out where their circumradius is more "
          "than this many spacings of the samples (default: all are there, a closed surface)")
       ->option_text("RATIO");
-  app.add_flag("--manifold", line.run.manifold,
-               "solid: split the surface where it touches itself, so that every edge has two "
-               "triangles and every vertex one fan of them");
+  app.add_flag(
+      "--manifold", line.run.manifold,
+      "solid, crust: split the surface where it touches itself, so that every edge has two "
+      "triangles and every vertex one fan of them");
   add_spacing(app, line.run.grid_spacing);
-  app.add_option("--unused", line.run.unused, "Also the points that no triangle has, in OUT.ply")
+  app.add_option("--unused", line.run.unused,
+                 "All but crust: also the points that no triangle has, in OUT.ply")
       ->option_text("OUT");
   app.add_option("--tetrahedra", line.run.tetrahedra,
                  "Also the Delaunay tetrahedra: OUT.pvtu with a folder of chunks")

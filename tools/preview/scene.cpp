@@ -48,7 +48,7 @@ void check_data(const PreviewInput& input, const VtpMesh& part) {
 }
 
 const char* source_name(std::uint8_t source) {
-  constexpr const char* kNames[] = {"gamma", "alpha", "fill"};
+  constexpr const char* kNames[] = {"gamma", "alpha", "fill", "crust"};
   return source < std::size(kNames) ? kNames[source] : "other";
 }
 
