@@ -1,11 +1,12 @@
-// The sphere orthogonal to four weighted points, and which tetrahedra it is in conflict with: what a
-// walk through the Delaunay structure of the samples asks about the power diagram of their poles.
+// The sphere orthogonal to four weighted points, and which tetrahedra it is in conflict with: what
+// a walk through the Delaunay structure of the samples asks about the power diagram of their poles.
 //
-// A tetrahedron is in conflict with a weighted point (z, w) if the power of z to its circumsphere is
-// below w. Guarantees: may_conflict() is true for all that are, whatever the rounding, given that
-// centre and weight are within `error` of the truth as orthosphere() says; it may be true for
-// others, slivers above all. Thread rule: pure. Cost: about 20 ns.
-// Source: docs/algorithms/weighted.md
+// A tetrahedron is in conflict with a weighted point (z, w) if the power of z to its circumsphere
+// is below w. Guarantees: may_conflict() is true for every tetrahedron whose power is below w +
+// error, whatever its own rounding, so for all in conflict with the exact sphere of the sites, as
+// far as `error` bounds what rounding of sphere and sites does; it may be true for others, slivers
+// above all. Thread rule: pure. Memory: none. Cost: about 20 ns a test. Source:
+// docs/algorithms/weighted.md
 #pragma once
 
 #include <array>
@@ -18,24 +19,25 @@ namespace stream_recon {
 struct Orthosphere {
   Point3 centre;
   double weight = 0;  ///< power of the centre to each of the four
-  /// The power of the centre to a ball whose centre lies within `reach` is known up to this.
+  /// By so much may the power of the centre to a ball, less the weight, be off where the ball's
+  /// centre lies within the reach. Grows with the flatness of the four sites.
   double error = 0;
 };
 
-/// Errors above this share of the squared reach tell nothing.
+/// A sphere with an error above this share of the squared reach is not given.
 inline constexpr double kMostOrthosphereError = 1e-9;
 
 struct OrthosphereReach {
-  double reach = 0;      ///< no ball that is asked about has its centre farther from the origin
-  double rounding = 0;   ///< of centres and radii of the sites, relative to reach
+  double reach = 0;     ///< no ball that is asked about has its centre farther from the origin
+  double rounding = 0;  ///< of centres and radii of the sites, relative to reach
 };
 
-/// Nothing if the sites are so flat that the error says nothing.
+/// Nothing if the sites are so flat that the error is above kMostOrthosphereError.
 std::optional<Orthosphere> orthosphere(const std::array<WeightedPoint3, 4>& sites,
                                        const OrthosphereReach& reach);
 
-/// The centre alone, however ill-conditioned; of four centres in one plane their mean. The same
-/// bits for the same sites in the same order.
+/// The centre alone, however ill-conditioned; of four sites in one plane their mean. The same bits
+/// for the same sites in the same order.
 Point3 orthocentre(const std::array<WeightedPoint3, 4>& sites);
 
 /// \param tetrahedron its corners, of either orientation

@@ -5,8 +5,9 @@
 // outside. Guarantees: corners and triangles of a face are functions of the poles alone, so that
 // faces of different windows fit along their edges without cracks; every face of the crust is
 // emitted by one window. Corners with a common sample are one vertex, the sample. A face with a
-// corner at infinity is left out and counted. Thread rule: one thread. Memory: crust_faces_memory()
-// at least. Source: Amenta, Choi, Kolluri, The power crust, 2001, section 3; docs/algorithms/crust.md
+// corner at infinity is left out and counted. Thread rule: one thread. Memory: about what
+// crust_faces_memory() says. Source: Amenta, Choi, Kolluri, The power crust, 2001, section 3;
+// docs/algorithms/crust.md
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ struct CrustFaces {
   std::vector<CrustVertex> vertices;  ///< distinct, ascending by name, numbered
   std::vector<CrustTriangle> triangles;
   std::uint64_t faces = 0;
-  std::uint64_t unbounded = 0;
+  std::uint64_t unbounded = 0;  ///< of these: left out
 
   std::uint64_t bytes() const {
     return vertices.capacity() * sizeof(CrustVertex) + triangles.capacity() * sizeof(CrustTriangle);
@@ -32,7 +33,7 @@ struct CrustFaces {
 /// \param window its number, for the vertices
 CrustFaces crust_faces(const PowerWindow& power, std::uint32_t window);
 
-/// Beside the window, bytes: what crust_faces() may be expected to need.
+/// What crust_faces() may be expected to need beside the window, bytes.
 std::uint64_t crust_faces_memory(const PowerWindow& power);
 
 }  // namespace stream_recon

@@ -1,7 +1,8 @@
 // Corners and triangles of the crust on their way from their window to the surface.
 //
 // A vertex of the power diagram is named by its four poles; where they touch one sample, it is that
-// sample. Thread rule: values. Memory: 56 and 16 bytes, on disk as in memory (docs/formats.md).
+// sample. Names do not depend on windows. Thread rule: values. Memory: 56 and 16 bytes, on disk as
+// in memory (docs/formats.md).
 #pragma once
 
 #include <array>
@@ -14,8 +15,9 @@
 namespace stream_recon {
 
 struct CrustVertexName {
-  std::uint32_t sample = 0;  ///< itself, or that most of the four poles touch
-  std::array<std::uint32_t, 4> poles{};  ///< ascending; all 0: the sample itself
+  std::uint32_t sample =
+      0;  ///< rank: of itself, or of the sample that most of the four poles touch
+  std::array<std::uint32_t, 4> poles{};  ///< numbers, ascending; all 0: the sample itself
 
   bool is_sample() const { return poles[1] == 0; }
 
@@ -27,7 +29,7 @@ struct CrustVertexName {
 
 struct CrustVertex {
   CrustVertexName name;
-  std::uint32_t window = 0;
+  std::uint32_t window = 0;    ///< as CrustWindows::windows numbers them
   std::uint32_t position = 0;  ///< among the vertices of its window
   std::uint32_t unused = 0;
   Point3 point;
@@ -38,8 +40,9 @@ struct CrustVertex {
 };
 
 struct CrustTriangle {
-  std::array<std::uint32_t, 3> corners{};  ///< positions in the window, counterclockwise from outside
-  float delta = 0;                         ///< angle of its two balls, degrees
+  std::array<std::uint32_t, 3>
+      corners{};    ///< positions in the window, counterclockwise from outside
+  float delta = 0;  ///< angle of its two balls, degrees
 };
 
 static_assert(sizeof(CrustVertex) == 56 && std::is_trivially_copyable_v<CrustVertex>);

@@ -1,7 +1,7 @@
 // The power crust: from the labelled poles to a surface over a point store of its own.
 //
-// Guarantees and memory as of crust/crust_windows.h and crust/crust_assembly.h, which it calls. What
-// an earlier, interrupted run left of it is removed first. Thread rule: one caller.
+// Guarantees and memory as of crust/crust_windows.h and crust/crust_assembly.h, which it calls.
+// What an earlier, interrupted run left of it is removed first. Thread rule: one caller.
 #pragma once
 
 #include "engine/crust/crust_assembly.h"
@@ -13,7 +13,8 @@ namespace stream_recon {
 
 struct CrustStageOptions {
   unsigned threads = 1;
-  std::uint64_t window_points = 0;  ///< samples of a window at most; 0: as many as the memory allows
+  std::uint64_t window_points =
+      0;  ///< samples of a window at most; 0: as many as the memory allows
   std::uint64_t chunk_points = 1;
 };
 

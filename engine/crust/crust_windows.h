@@ -1,9 +1,10 @@
 // The crust's faces, window by window: all poles inside the body, cut into windows by their lowest
 // sample, and what each emits on disk.
 //
-// Guarantees: every face of the crust is in one window's files; a window that outgrows its memory
-// is split and built again. Thread rule: one caller; windows side by side. Memory: all that the
-// budget has left, or less if the cloud needs less. Cost: about 60 us a sample and thread.
+// Guarantees: every face of the crust is in one window's files, whatever the windows; one that
+// outgrows its memory is split and built again. Thread rule: one caller; windows side by side.
+// Memory: all that the budget has left; a window is given 3600 bytes an owned sample. Cost: about
+// 150 us a sample and thread. Source: docs/algorithms/crust.md, weighted.md
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@
 
 namespace stream_recon {
 
-/// What one window left.
+/// What one window left; without vertices it has no files.
 struct CrustWindow {
   std::uint64_t first_rank = 0;  ///< of its samples
   std::uint32_t vertices = 0;
@@ -35,7 +36,8 @@ struct CrustWindows {
 
 struct CrustWindowOptions {
   unsigned threads = 1;
-  std::uint64_t window_points = 0;  ///< samples of a window at most; 0: as many as the memory allows
+  std::uint64_t window_points =
+      0;  ///< samples of a window at most; 0: as many as the memory allows
 };
 
 /// \pre The pole store and the index are in the scratch directory.

@@ -26,13 +26,13 @@ struct IngestOptions {
 };
 
 struct CloudSummary {
-  std::uint64_t points = 0;    ///< as delivered, rejected ones included
-  std::uint64_t rejected = 0;  ///< not finite
+  std::uint64_t points = 0;      ///< as delivered, rejected ones included
+  std::uint64_t rejected = 0;    ///< not finite
   std::uint64_t far_points = 0;  ///< added to those delivered
-  std::uint64_t bytes = 0;     ///< of the inputs, as they lay there
-  Box3 box;                    ///< of the finite points, far points as well
-  CoordinateRange range;       ///< of the same
-  bool fits_float32 = true;    ///< every coordinate is a float32
+  std::uint64_t bytes = 0;       ///< of the inputs, as they lay there
+  Box3 box;                      ///< of the finite points, far points as well
+  CoordinateRange range;         ///< of the same
+  bool fits_float32 = true;      ///< every coordinate is a float32
   /// Of the grid the points were sampled on, along its axes: of all inputs that say one, the
   /// widest.
   std::optional<SampleSpacing> spacing;

@@ -1,8 +1,9 @@
 // The pole store by number and by name, for the windows of the power diagram.
 //
-// Guarantees: a pole's number is its position in the store. Thread rule: PoleIndex is const once
-// made and thread-safe, a PoleFinder belongs to one thread. Memory: PoleIndex 16 bytes for 2340
-// poles and its cache; a finder two blocks. Cost: about 150 ns a name.
+// Guarantees: a pole's number is its position in the store, so numbers ascend by name. Thread rule:
+// PoleIndex is const once made and thread-safe, a PoleFinder belongs to one thread. Memory:
+// PoleIndex 16 bytes for 2340 poles and kPageMemory a page; a finder kMemory. Cost: one pass over
+// the store to make the index; then about 150 ns a name where pages are in memory.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ namespace stream_recon {
 using PoleNumber = std::uint32_t;
 inline constexpr PoleNumber kNoPole = std::numeric_limits<PoleNumber>::max();
 
-/// The ball as a site of the power diagram.
+/// The ball as a site of the power diagram: its weight is the squared radius, rounded.
 inline WeightedPoint3 site_of(const Pole& pole) {
   return {pole.centre, pole.radius * pole.radius};
 }
@@ -34,14 +35,15 @@ class PoleIndex {
  public:
   static constexpr std::uint64_t kPageMemory = kPoleStoreBlock + 256;
 
-  /// Reads the store once. \param pages that are kept in memory, at least one
+  /// Reads the store once.
+  /// \param pages blocks of the store that are kept in memory, for all threads; at least one
   /// \throw IoError; InputError more poles than numbers
   PoleIndex(const ScratchDirectory& scratch, std::uint64_t pages);
 
   PoleNumber count() const { return static_cast<PoleNumber>(file_.record_count()); }
   /// Of all sites.
   const CoordinateRange& range() const { return range_; }
-  /// No centre is farther from the origin.
+  /// No centre is farther from the origin; units of the input.
   double reach() const { return reach_; }
 
  private:
@@ -56,12 +58,14 @@ class PoleIndex {
 
 class PoleFinder {
  public:
+  /// Bytes.
   static constexpr std::uint64_t kMemory = 3 * kPoleStoreBlock + (std::uint64_t{1} << 18);
 
+  /// \pre The index outlives the finder.
   explicit PoleFinder(const PoleIndex& index) : index_(index) {}
 
   PoleNumber count() const { return index_.count(); }
-  /// Valid until the next call. \throw IoError
+  /// \pre number < count(). The pole is valid until the next call. \throw IoError
   const Pole& pole(PoleNumber number);
   /// kNoPole if there is none of this name. \throw IoError
   PoleNumber find(const NodeKey& name);

@@ -1,7 +1,8 @@
 // Which tetrahedra of a window of samples are poles, and which of those are in its power diagram.
 //
-// Poles in the power diagram are numbered as its vertices are: owned ones first. Thread rule: one
-// window's. Memory: bytes(), about 50 bytes a pole and 5 a tetrahedron.
+// Guarantees: poles are numbered as the vertices of the power diagram are, owned ones first; none
+// is there twice. Thread rule: one window's. Memory: bytes(): 28 bytes a pole, 32 more until it is
+// taken, 1 a tetrahedron. Cost: one look-up of a name (pole_finder.h) a final tetrahedron.
 #pragma once
 
 #include <array>
@@ -22,9 +23,9 @@ class SamplePoles {
   static constexpr CellId kNoCell = static_cast<CellId>(-1);
 
   struct Entry {
-    PoleNumber number;
-    CellId cell;  ///< of the samples; kNoCell where the window may not have it
-    NodeKey name;
+    PoleNumber number;  ///< in the store
+    CellId cell;        ///< of the samples; kNoCell where the window may not have it
+    NodeKey name;       ///< the ranks of its tetrahedron
     bool is_inside;
   };
 
@@ -32,28 +33,32 @@ class SamplePoles {
   SamplePoles(const CertifiedWindow& samples, PoleFinder& finder)
       : samples_(samples), finder_(finder) {}
 
-  /// All poles inside the body whose lowest sample the window owns. \throw IoError
+  /// All poles inside the body whose lowest sample is in the range. \pre Called first, once.
+  /// \throw IoError
   void add_owned(const OwnedRange& owned);
-  /// One of every `step` poles of the cloud. \throw IoError
+  /// One of every `step` poles of the cloud, without cells. \pre Called after add_owned(), once.
+  /// \throw IoError
   void add_some(PoleNumber step);
-  /// If the final cell is a pole that is missing: adds it. \throw IoError
+  /// Adds the final cell's pole, if it is one and not there yet. \throw IoError
   void add_missing(CellId cell);
 
-  /// Where a final cell's pole stands.
+  /// What is known of a final cell: whether it is a pole, and then whether that was added, and has
+  /// been taken for the diagram. kUnknown is never returned.
   enum class State : std::uint8_t { kUnknown, kNotAPole, kMissing, kAdded, kInserted };
   /// \throw IoError
   State state(CellId cell);
   /// \pre The cell is a pole. \throw IoError
   WeightedPoint3 site(CellId cell) { return site_of(finder_.pole(finder_.find(name_of(cell)))); }
 
-  /// Those added since the last call, as new vertices of the power diagram.
+  /// Those added since the last call, in the order of the new vertices of the power diagram.
   std::vector<WeightedPoint3> take_added();
 
   VertexId count() const { return static_cast<VertexId>(entries_.size()); }
   VertexId owned_count() const { return owned_count_; }
   bool has_added() const { return !added_.empty(); }
   const Entry& operator[](VertexId v) const { return entries_[v]; }
-  /// A sample that all of these touch, as a vertex of the window. \pre one of them has a cell
+  /// A sample that all of these touch, as a vertex of the window; nothing if there is none, or none
+  /// of them has a cell.
   std::optional<VertexId> common_sample(std::span<const VertexId> poles) const;
 
   std::uint64_t bytes() const;
@@ -66,8 +71,8 @@ class SamplePoles {
   PoleFinder& finder_;
   std::vector<Entry> entries_;
   std::vector<WeightedPoint3> added_;
-  std::vector<State> states_;       ///< of cells
-  std::vector<PoleNumber> loose_;   ///< of entries without a cell, ascending
+  std::vector<State> states_;      ///< of cells
+  std::vector<PoleNumber> loose_;  ///< of entries without a cell, ascending
   VertexId owned_count_ = 0;
 };
 
