@@ -23,7 +23,7 @@ struct Orthosphere {
 };
 
 /// Errors above this share of the squared reach tell nothing.
-inline constexpr double kMostOrthosphereError = 1e-9;
+inline constexpr double kMostOrthosphereError = 1e-8;
 
 struct OrthosphereReach {
   double reach = 0;      ///< no ball that is asked about has its centre farther from the origin

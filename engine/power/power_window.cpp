@@ -19,6 +19,8 @@ constexpr std::uint64_t kTestsAfterConflict = 60;
 constexpr std::uint64_t kMostUnproven = 24;
 /// Of the cloud's poles so many are there from the start.
 constexpr PoleNumber kSomePoles = 512;
+/// What touches a sample up to this share of the squared reach counts as touching it.
+constexpr double kTieError = 1e-9;
 /// Centres and radii of the stored poles, relative to the reach.
 constexpr double kPoleRounding = 0x1p-50;
 
@@ -58,7 +60,7 @@ PowerWindow::PowerWindow(CertifiedWindow& samples, const PoleIndex& index, PoleF
       poles_(samples, finder),
       some_step_(std::max<PoleNumber>(1, index.count() / kSomePoles)),
       reach_{index.reach(), kPoleRounding},
-      most_error_(kMostOrthosphereError * index.reach() * index.reach()),
+      most_error_(kTieError * index.reach() * index.reach()),
       power_({.range = index.range()}) {}
 
 PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t memory_bytes) {
@@ -133,7 +135,8 @@ void PowerWindow::ask(CellId cell) {
   } else {
     question.sphere = orthosphere(
         {cells.point(v[0]), cells.point(v[1]), cells.point(v[2]), cells.point(v[3])}, reach_);
-    const auto sample = question.sphere ? poles_.common_sample(v) : std::nullopt;
+    const bool may_tie = question.sphere && question.sphere->error < most_error_;
+    const auto sample = may_tie ? poles_.common_sample(v) : std::nullopt;
     if (sample) {
       const auto known = std::find_if(v.begin(), v.end(), [this](VertexId pole) {
         return poles_[pole].cell != SamplePoles::kNoCell;
