@@ -24,8 +24,8 @@ struct Orthosphere {
   double error = 0;
 };
 
-/// A sphere with an error above this share of the squared reach is not given.
-inline constexpr double kMostOrthosphereError = 1e-9;
+/// Errors above this share of the squared reach tell nothing.
+inline constexpr double kMostOrthosphereError = 1e-8;
 
 struct OrthosphereReach {
   double reach = 0;     ///< no ball that is asked about has its centre farther from the origin

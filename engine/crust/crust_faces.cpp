@@ -94,6 +94,8 @@ class CrustExtraction {
 
   /// Goes around the edge; only from the ring's lowest cell.
   void add_face(CellId first, const Corners& at) {
+    // Most cells see at once that the ring has a lower one.
+    if (cells_.neighbor(first, at[2]) < first || cells_.neighbor(first, at[3]) < first) return;
     const VertexId inside = cells_.vertex(first, at[0]);
     const VertexId outside = cells_.vertex(first, at[1]);
     ring_.clear();

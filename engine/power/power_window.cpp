@@ -19,6 +19,8 @@ constexpr std::uint64_t kTestsAfterConflict = 60;
 constexpr std::uint64_t kMostUnproven = 24;
 /// Of the cloud's poles so many are there from the start.
 constexpr PoleNumber kSomePoles = 512;
+/// What touches a sample up to this share of the squared reach counts as touching it.
+constexpr double kTieError = 1e-9;
 /// Centres and radii of the stored poles, relative to the reach.
 constexpr double kPoleRounding = 0x1p-50;
 
@@ -58,7 +60,7 @@ PowerWindow::PowerWindow(CertifiedWindow& samples, const PoleIndex& index, PoleF
       poles_(samples, finder),
       some_step_(std::max<PoleNumber>(1, index.count() / kSomePoles)),
       reach_{index.reach(), kPoleRounding},
-      most_error_(kMostOrthosphereError * index.reach() * index.reach()),
+      most_error_(kTieError * index.reach() * index.reach()),
       power_({.range = index.range()}) {}
 
 PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t memory_bytes) {
@@ -133,7 +135,8 @@ void PowerWindow::ask(CellId cell) {
   } else {
     question.sphere = orthosphere(
         {cells.point(v[0]), cells.point(v[1]), cells.point(v[2]), cells.point(v[3])}, reach_);
-    const auto sample = question.sphere ? poles_.common_sample(v) : std::nullopt;
+    const bool may_tie = question.sphere && question.sphere->error < most_error_;
+    const auto sample = may_tie ? poles_.common_sample(v) : std::nullopt;
     if (sample) {
       const auto known = std::find_if(v.begin(), v.end(), [this](VertexId pole) {
         return poles_[pole].cell != SamplePoles::kNoCell;
@@ -159,6 +162,23 @@ bool PowerWindow::visit(CellId cell) {
   return true;
 }
 
+// What the walk has not come by yet beside the tetrahedra of `walk_` from `begin` on: all together,
+// so that memory is fetched for many at a time.
+void PowerWindow::find_neighbors(const CellView& cells, std::size_t begin) {
+  neighbors_.clear();
+  for (std::size_t i = begin; i < walk_.size(); ++i) {
+    for (int side = 0; side < 4; ++side) {
+      const CellId next = cells.neighbor(walk_[i], side);
+      if (!visit(next)) continue;
+      cells.prefetch(next);
+      neighbors_.push_back(next);
+    }
+  }
+  for (const CellId next : neighbors_) {
+    if (!cells.is_infinite(next)) cells.prefetch_points(next);
+  }
+}
+
 void PowerWindow::walk(const Question& question) {
   const CellView cells = samples_.view().delaunay().view();
   begin_walk();
@@ -171,10 +191,10 @@ void PowerWindow::walk(const Question& question) {
   std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
   const std::size_t most_unproven = unproven_.size() + kMostUnproven;
   bool is_final = true;
-  for (std::size_t i = 0; i < walk_.size() && tests < most; ++i) {
-    for (int side = 0; side < 4; ++side) {
-      const CellId next = cells.neighbor(walk_[i], side);
-      if (!visit(next)) continue;
+  for (std::size_t begin = 0; begin < walk_.size() && tests < most;) {
+    find_neighbors(cells, begin);
+    begin = walk_.size();
+    for (const CellId next : neighbors_) {
       ++tests;
       if (!samples_.is_final(next)) {
         is_final = false;
@@ -186,7 +206,7 @@ void PowerWindow::walk(const Question& question) {
         if (is_seen(question, next)) walk_.push_back(next);
         continue;
       }
-      if (!is_closer(question, next)) continue;
+      if (!is_closer(question, cells, next)) continue;
       walk_.push_back(next);
       const SamplePoles::State state = poles_.state(next);
       if (state != SamplePoles::State::kMissing && state != SamplePoles::State::kAdded) continue;
@@ -213,10 +233,10 @@ bool PowerWindow::close(VertexId sample, CellId start) {
   walk_.push_back(start);
   poles_.add_missing(start);
   bool is_closed = true;
-  for (std::size_t i = 0; i < walk_.size(); ++i) {
-    for (int side = 0; side < 4; ++side) {
-      const CellId next = cells.neighbor(walk_[i], side);
-      if (!visit(next)) continue;
+  for (std::size_t begin = 0; begin < walk_.size();) {
+    find_neighbors(cells, begin);
+    begin = walk_.size();
+    for (const CellId next : neighbors_) {
       if (!samples_.is_final(next)) {
         unproven_.push_back(next);
         is_closed = false;
@@ -235,8 +255,8 @@ bool PowerWindow::close(VertexId sample, CellId start) {
   return is_closed;
 }
 
-bool PowerWindow::is_closer(const Question& question, CellId cell) {
-  const std::array<Point3, 4> tetrahedron = corners(samples_.view().delaunay().view(), cell);
+bool PowerWindow::is_closer(const Question& question, const CellView& cells, CellId cell) {
+  const std::array<Point3, 4> tetrahedron = corners(cells, cell);
   if (question.sphere) return may_conflict(tetrahedron, *question.sphere);
   const Circumball ball = circumball(tetrahedron);
   const double weight = dot(ball.centre, ball.centre) + most_error_;

@@ -20,6 +20,7 @@
 
 #include "engine/power/sample_poles.h"
 #include "engine/windows/certified_window.h"
+#include "spatial/cell_view.h"
 #include "spatial/orthosphere.h"
 #include "spatial/regular_triangulation.h"
 
@@ -69,7 +70,8 @@ class PowerWindow {
   bool close(VertexId sample, CellId start);
   void begin_walk();
   bool visit(CellId cell);
-  bool is_closer(const Question& question, CellId cell);
+  void find_neighbors(const CellView& cells, std::size_t begin);
+  bool is_closer(const Question& question, const CellView& cells, CellId cell);
   bool is_seen(const Question& question, CellId infinite) const;
 
   CertifiedWindow& samples_;
@@ -85,6 +87,7 @@ class PowerWindow {
   std::vector<std::uint32_t> stamps_;  ///< of tetrahedra: the last walk that came by
   std::uint32_t walk_number_ = 0;
   std::vector<CellId> walk_;  ///< tetrahedra in conflict, neighbours to be looked at
+  std::vector<CellId> neighbors_;  ///< to be tested
   std::vector<CellId> unproven_;
   PowerCounts counts_;
 };
