@@ -19,9 +19,15 @@ constexpr std::uint64_t kSurfaceOutput = 55;
 constexpr std::uint64_t kTetrahedraOutput = 90;
 constexpr std::uint64_t kPoles = 240;  // exports, one sort and the store side by side
 constexpr std::uint64_t kPolesOutput = 90;
+constexpr std::uint64_t kCrust = 550;  // corners and triangles, two sorts, store and facets
+constexpr std::uint64_t kCrustOutput = 450;
 
 bool has_surface(const RunOptions& options) {
   return options.surface != SurfaceKind::kNone;
+}
+
+bool is_crust(const RunOptions& options) {
+  return options.surface == SurfaceKind::kCrust;
 }
 
 /// Where the outputs are written; empty if to standard output or nowhere.
@@ -35,17 +41,19 @@ std::string output_folder(const RunOptions& options) {
 
 DiskEstimate estimate_disk(std::uint64_t points, const RunOptions& options) {
   const bool has_tetrahedra = !options.tetrahedra.empty();
-  const bool has_poles = !options.medial_axis.empty();
+  const bool has_axis = !options.medial_axis.empty();
+  const std::uint64_t surface_output = is_crust(options) ? kCrustOutput : kSurfaceOutput;
   std::uint64_t windows = kStoreAndIndex;
-  if (has_surface(options) || has_poles) windows += kFacets;
-  if (has_poles) windows += kPoles;
+  if (has_surface(options) || has_axis) windows += kFacets;
+  if (options.needs_poles()) windows += kPoles;
+  if (is_crust(options)) windows += kCrust;
   if (has_tetrahedra) windows += kTetrahedra;
   // A single file is put together from parts in scratch.
-  if (has_surface(options) && !options.output.ends_with(".pvtp")) windows += kSurfaceOutput;
+  if (has_surface(options) && !options.output.ends_with(".pvtp")) windows += surface_output;
   std::uint64_t outputs = 0;
-  if (has_surface(options) && options.output != "-") outputs += kSurfaceOutput;
+  if (has_surface(options) && options.output != "-") outputs += surface_output;
   if (has_tetrahedra) outputs += kTetrahedraOutput;
-  if (has_poles) outputs += kPolesOutput;
+  if (has_axis) outputs += kPolesOutput;
   return {points * std::max(kOrdering, windows), points * outputs};
 }
 

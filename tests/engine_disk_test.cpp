@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -30,6 +31,21 @@ void write_cloud(const TestFolder& folder) {
     bytes.append(reinterpret_cast<const char*>(&p), sizeof p);
   }
   put_bytes(folder / "cloud.f64", bytes);
+}
+
+/// A bumpy ball, random in every digit.
+std::string bumpy_ball(std::uint64_t points) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::string bytes;
+  for (std::uint64_t i = 0; i < points; ++i) {
+    Point3 p{normal(random), normal(random), normal(random)};
+    const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+    const double radius = 1 + 0.2 * std::sin(5 * p.x / length) * std::cos(4 * p.y / length);
+    for (double* c : {&p.x, &p.y, &p.z}) *c *= radius / length;
+    bytes.append(reinterpret_cast<const char*>(&p), sizeof p);
+  }
+  return bytes;
 }
 
 RunOptions options_in(const TestFolder& folder) {
@@ -76,6 +92,26 @@ TEST(DiskEstimate, CountsTheMedialAxis) {
   EXPECT_LE(estimate.scratch, 3 * report.scratch_peak_bytes);
   EXPECT_GE(estimate.outputs, bytes_in(folder / "m"));
   EXPECT_LE(estimate.outputs, 3 * bytes_in(folder / "m"));
+}
+
+TEST(DiskEstimate, CountsTheCrust) {
+  const TestFolder folder;
+  const std::uint64_t points = 10000;
+  put_bytes(folder / "cloud.f64", bumpy_ball(points));
+  RunOptions options = options_in(folder);
+  options.tetrahedra = "";
+  for (const char* output : {"out.pvtp", "out.ply"}) {
+    options.output = folder / output;
+    options.surface = SurfaceKind::kSolid;
+    const DiskEstimate solid = estimate_disk(points, options);
+    options.surface = SurfaceKind::kCrust;
+    const DiskEstimate estimate = estimate_disk(points, options);
+    EXPECT_GT(estimate.scratch, solid.scratch);
+    const Report report = reconstruct(options);
+    EXPECT_GE(estimate.scratch, report.scratch_peak_bytes) << output;
+    EXPECT_LE(estimate.scratch, 3 * report.scratch_peak_bytes) << output;
+  }
+  EXPECT_GE(estimate_disk(points, options).outputs, bytes_in(folder / "out"));
 }
 
 TEST(DiskEstimate, CountsOnlyWhatIsMade) {

@@ -86,7 +86,7 @@ class PowerWindow {
   std::vector<std::uint32_t> closed_;
   std::vector<std::uint32_t> stamps_;  ///< of tetrahedra: the last walk that came by
   std::uint32_t walk_number_ = 0;
-  std::vector<CellId> walk_;  ///< tetrahedra in conflict, neighbours to be looked at
+  std::vector<CellId> walk_;       ///< tetrahedra in conflict, neighbours to be looked at
   std::vector<CellId> neighbors_;  ///< to be tested
   std::vector<CellId> unproven_;
   PowerCounts counts_;
