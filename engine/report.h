@@ -41,13 +41,13 @@ struct PoleReport {
 /// The windows of the power diagram (engine/power/power_window.h).
 struct PowerReport {
   std::uint64_t windows = 0;
-  std::uint64_t poles = 0;   ///< inner ones, whose stars were proved
-  std::uint64_t guests = 0;  ///< poles beside them, of all windows
-  std::uint64_t rounds = 0;
-  std::uint64_t walks = 0;
-  std::uint64_t tests = 0;  ///< of tetrahedra, on walks
-  std::uint64_t unbounded_faces = 0;
-  double insert_seconds = 0;  ///< of all threads together
+  std::uint64_t poles = 0;            ///< inner ones, whose stars were proved
+  std::uint64_t guests = 0;           ///< poles beside them, of all windows
+  std::uint64_t rounds = 0;           ///< of all windows
+  std::uint64_t walks = 0;            ///< one for each cell asked about, and for each sample closed
+  std::uint64_t tests = 0;            ///< of a tetrahedron against the sphere of a cell
+  std::uint64_t unbounded_faces = 0;  ///< left out: they reach infinity
+  double insert_seconds = 0;          ///< of all threads together
   double walk_seconds = 0;
   double prove_seconds = 0;
 };
@@ -61,7 +61,7 @@ struct Report {
     std::optional<std::array<double, 3>> spacing;
   } input;
   struct {
-    std::uint64_t tetrahedra = 0;  ///< finite ones
+    std::uint64_t tetrahedra = 0;  ///< finite ones; of a crust with its far points
     std::string digest;            ///< spatial/simplex_digest.h, 16 hex digits
   } delaunay;
   struct {
@@ -81,7 +81,7 @@ struct Report {
     std::optional<std::int64_t> genus;
     std::optional<double> volume;          ///< likewise; cubes of the unit of the input
     double area = 0;                       ///< squares of the unit of the input
-    std::uint64_t samples_on_surface = 0;  ///< distinct points with a triangle
+    std::uint64_t samples_on_surface = 0;  ///< distinct points that are vertices
     std::uint64_t unused_samples = 0;      ///< distinct points without
     std::uint64_t doubtful_fills = 0;      ///< fills of a closure above 4 (docs/formats.md)
     std::uint64_t forest_conflicts = 0;    ///< of solids: evidence that the labels contradict

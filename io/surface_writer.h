@@ -29,8 +29,9 @@ enum class TriangleSource : std::uint8_t {
 /// A part of the surface. Arrays of points have one length, arrays of triangles another; every
 /// point is a corner of a triangle of the chunk.
 struct SurfaceChunk {
-  std::vector<Point3> points;             ///< bit-equal to the input
-  std::vector<std::uint64_t> global_ids;  ///< input index of each point
+  std::vector<Point3> points;  ///< bit-equal to the input where they are samples
+  /// Input index of each point; of a crust's vertices that are no samples numbers above all those.
+  std::vector<std::uint64_t> global_ids;
   /// Of a surface that is split into sheets: which sheet at that point; then points of one id stand
   /// one after the other. Else empty.
   std::vector<std::uint32_t> sheets;
