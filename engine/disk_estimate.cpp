@@ -19,8 +19,8 @@ constexpr std::uint64_t kSurfaceOutput = 55;
 constexpr std::uint64_t kTetrahedraOutput = 90;
 constexpr std::uint64_t kPoles = 240;  // exports, one sort and the store side by side
 constexpr std::uint64_t kPolesOutput = 90;
-constexpr std::uint64_t kCrust = 550;  // corners and triangles, two sorts, store and facets
-constexpr std::uint64_t kCrustOutput = 450;
+constexpr std::uint64_t kCrust = 650;  // corners and triangles, two sorts, store and facets
+constexpr std::uint64_t kCrustOutput = 500;
 
 bool has_surface(const RunOptions& options) {
   return options.surface != SurfaceKind::kNone;
