@@ -22,12 +22,10 @@ struct Orthosphere {
   double error = 0;
 };
 
-/// Errors above this share of the squared reach tell nothing.
-inline constexpr double kMostOrthosphereError = 1e-8;
-
 struct OrthosphereReach {
   double reach = 0;      ///< no ball that is asked about has its centre farther from the origin
-  double rounding = 0;   ///< of centres and radii of the sites, relative to reach
+  double most_error = 0;  ///< larger ones say nothing
+  double rounding = 0;  ///< of centres and radii of the sites, relative to both together
 };
 
 /// Nothing if the sites are so flat that the error says nothing.
