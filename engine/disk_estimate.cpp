@@ -17,7 +17,7 @@ constexpr std::uint64_t kFacets = 30;
 constexpr std::uint64_t kTetrahedra = 65;
 constexpr std::uint64_t kSurfaceOutput = 55;
 constexpr std::uint64_t kTetrahedraOutput = 90;
-constexpr std::uint64_t kPoles = 200;  // exports, one sort and the store side by side
+constexpr std::uint64_t kPoles = 320;  // exports, sorted runs and the store side by side
 constexpr std::uint64_t kPolesOutput = 90;
 
 bool has_surface(const RunOptions& options) {

@@ -3,7 +3,7 @@
 // Guarantees: a ball lies in the chunk of the lowest rank of its samples, in the order of the
 // store; so the bytes are a function of the cloud, the sides and the chunk layout alone. Chunks
 // without balls are not written. Thread rule: one caller; works on all threads that the memory
-// allows. Memory: 16 bytes a chunk; a chunk a thread: 120 bytes a ball and 5 MB.
+// allows. Memory: 16 bytes a chunk; a chunk a thread: 93 bytes a ball and 4 MB.
 #pragma once
 
 #include "engine/chunks/chunk_layout.h"
