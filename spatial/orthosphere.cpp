@@ -46,17 +46,22 @@ std::optional<Orthosphere> orthosphere(const std::array<WeightedPoint3, 4>& site
   const CentreEquations equations(sites);
   if (equations.volume == 0) return std::nullopt;
   const Point3 z = equations.solution();
-  const double size = reach.reach + length(z);
-  const double rounding = 8 * (reach.rounding + kUnit) * size * size;
-  double residual = rounding;
+  double residual = 0;
   double gradient = 0;
-  for (int j = 0; j < 3; ++j) {
-    const double missed = 2 * (equations.half[j] - dot(equations.d[j], z));
-    residual = std::max(residual, std::fabs(missed) + rounding);
-    gradient += length(equations.rows[j]) / std::fabs(equations.volume);
+  for (int i = 0; i < 4; ++i) {
+    const double radius = std::sqrt(std::fabs(sites[i].weight));
+    const double far = i == 0 ? length(z) : length(minus(z, equations.d[i - 1]));
+    const double size = length(sites[i].point) + radius;
+    double missed = 8 * (reach.rounding + kUnit) * size * (far + radius);
+    if (i > 0) {
+      const int j = i - 1;
+      missed += 2 * std::fabs(equations.half[j] - dot(equations.d[j], z));
+      gradient += length(equations.rows[j]) / std::fabs(equations.volume);
+    }
+    residual = std::max(residual, missed);
   }
   const double error = residual * (1 + 2 * gradient * reach.reach);
-  if (!(error < kMostOrthosphereError * reach.reach * reach.reach)) return std::nullopt;
+  if (!(error < reach.most_error)) return std::nullopt;
   return Orthosphere{plus(sites[0].point, z), dot(z, z) - sites[0].weight, error};
 }
 

@@ -24,15 +24,13 @@ struct Orthosphere {
   double error = 0;
 };
 
-/// Errors above this share of the squared reach tell nothing.
-inline constexpr double kMostOrthosphereError = 1e-8;
-
 struct OrthosphereReach {
-  double reach = 0;     ///< no ball that is asked about has its centre farther from the origin
-  double rounding = 0;  ///< of centres and radii of the sites, relative to reach
+  double reach = 0;       ///< no ball that is asked about has its centre farther from the origin
+  double most_error = 0;  ///< spheres of larger ones are not given; units of the input, squared
+  double rounding = 0;    ///< of a site's centre and radius, relative to both together
 };
 
-/// Nothing if the sites are so flat that the error is above kMostOrthosphereError.
+/// Nothing if the sites are so flat that the error is above most_error.
 std::optional<Orthosphere> orthosphere(const std::array<WeightedPoint3, 4>& sites,
                                        const OrthosphereReach& reach);
 

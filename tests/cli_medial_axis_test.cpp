@@ -41,6 +41,7 @@ std::optional<Axis> axis_of(const CommandFolder& folder, const std::string& inde
   if (read.exit_code == 77 || read.exit_code == 127) return std::nullopt;
   EXPECT_EQ(read.exit_code, 0) << read.out << read.error;
   Axis axis{{}, nlohmann::json::parse(read.out)};
+  axis.balls.reserve(axis.facts["balls"].size());
   for (const auto& b : axis.facts["balls"]) {
     axis.balls.push_back({{b[0], b[1], b[2]}, b[3], b[4], b[5]});
   }
@@ -123,13 +124,12 @@ TEST(MedialAxis, OfATorusIsItsCoreCircle) {
 TEST(MedialAxis, HasTheSideAskedForAndTheSurfaceIsAsWithoutIt) {
   const CommandFolder folder;
   ASSERT_EQ(folder.run("make-cloud folded -n 6000 -o cloud.f64").exit_code, 0);
-  const std::string chunks = "--chunk-points 1500 ";
-  report_of(folder, chunks + "-o plain.pvtp");
+  report_of(folder, "--chunk-points 1500 -o plain.pvtp");
+  const std::string run = "--chunk-points 1500 -o s.pvtp --medial-axis m.pvtp --medial-axis-side ";
   std::array<std::uint64_t, 3> counts{};
   std::size_t i = 0;
   for (const std::string side : {"inner", "outer", "both"}) {
-    const auto report =
-        report_of(folder, chunks + "-o s.pvtp --medial-axis m.pvtp --medial-axis-side " + side);
+    const auto report = report_of(folder, run + side);
     EXPECT_TRUE(folder.chunked_bytes("s", ".pvtp") == folder.chunked_bytes("plain", ".pvtp"));
     const auto axis = axis_of(folder, "m.pvtp");
     if (!axis) GTEST_SKIP() << "install python3-vtk9";

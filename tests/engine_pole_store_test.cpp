@@ -232,7 +232,8 @@ void expect_poles(const std::vector<Pole>& found, const std::vector<Pole>& expec
 Cloud block(int nx, int ny, int nz, const Point3& step) {
   Cloud cloud;
   for (int i = 0; i < nx * ny * nz; ++i) {
-    cloud.push_back({step.x * (i % nx), step.y * (i / nx % ny), step.z * (i / nx / ny)});
+    const int layer = i / nx / ny;
+    cloud.push_back({step.x * (i % nx), step.y * (i / nx % ny), step.z * layer});
   }
   return cloud;
 }

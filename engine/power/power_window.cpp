@@ -19,8 +19,12 @@ constexpr std::uint64_t kTestsAfterConflict = 60;
 constexpr std::uint64_t kMostUnproven = 24;
 /// Of the cloud's poles so many are there from the start.
 constexpr PoleNumber kSomePoles = 512;
-/// What touches a sample up to this share of the squared reach counts as touching it.
-constexpr double kTieError = 1e-9;
+/// Spheres are known well enough up to this share of the squared distance of samples, and what
+/// touches a sample up to that share of it counts as touching it.
+constexpr double kMostError = 1e-2;
+constexpr double kTieError = 1e-3;
+/// Samples whose distances are looked at.
+constexpr VertexId kMostDistances = 4096;
 /// Centres and radii of the stored poles, relative to the reach.
 constexpr double kPoleRounding = 0x1p-50;
 
@@ -31,6 +35,21 @@ std::array<Point3, 4> corners(const CellView& cells, CellId cell) {
 
 Point3 outward_normal(const Point3& a, const Point3& b, const Point3& c) {
   return cross(minus(b, a), minus(c, a));
+}
+
+/// The middle one of the squared distances of owned samples from the next on the curve.
+double typical_square(const FinalWindow& window) {
+  const CellView cells = window.delaunay().view();
+  const VertexId step = window.owned_count() / kMostDistances + 1;
+  std::vector<double> squares;
+  for (VertexId v = 0; v + 1 < window.owned_count(); v += step) {
+    const Point3 d = minus(cells.point(v + 1), cells.point(v));
+    squares.push_back(dot(d, d));
+  }
+  if (squares.empty()) return 0;
+  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+  std::nth_element(squares.begin(), middle, squares.end());
+  return *middle;
 }
 
 }  // namespace
@@ -59,12 +78,14 @@ PowerWindow::PowerWindow(CertifiedWindow& samples, const PoleIndex& index, PoleF
     : samples_(samples),
       poles_(samples, finder),
       some_step_(std::max<PoleNumber>(1, index.count() / kSomePoles)),
-      reach_{index.reach(), kPoleRounding},
-      most_error_(kTieError * index.reach() * index.reach()),
+      reach_{.reach = index.reach(), .rounding = kPoleRounding},
       power_({.range = index.range()}) {}
 
 PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t memory_bytes) {
   memory_bytes_ = memory_bytes;
+  const double square = typical_square(samples_.view());
+  reach_.most_error = kMostError * square;
+  tie_error_ = kTieError * square;
   poles_.add_owned(owned);
   poles_.add_some(some_step_);
   for (VertexId v = 0; v < poles_.owned_count(); ++v) {
@@ -135,7 +156,7 @@ void PowerWindow::ask(CellId cell) {
   } else {
     question.sphere = orthosphere(
         {cells.point(v[0]), cells.point(v[1]), cells.point(v[2]), cells.point(v[3])}, reach_);
-    const bool may_tie = question.sphere && question.sphere->error < most_error_;
+    const bool may_tie = question.sphere && question.sphere->error < tie_error_;
     const auto sample = may_tie ? poles_.common_sample(v) : std::nullopt;
     if (sample) {
       const auto known = std::find_if(v.begin(), v.end(), [this](VertexId pole) {
@@ -227,7 +248,7 @@ bool PowerWindow::close(VertexId sample, CellId start) {
   if (closed_.size() <= sample) closed_.resize(samples_.view().delaunay().vertex_count());
   if (closed_[sample] != 0) return true;
   const CellView cells = samples_.view().delaunay().view();
-  const Orthosphere sphere{cells.point(sample), 0, most_error_};
+  const Orthosphere sphere{cells.point(sample), 0, tie_error_};
   begin_walk();
   visit(start);
   walk_.push_back(start);
@@ -259,7 +280,7 @@ bool PowerWindow::is_closer(const Question& question, const CellView& cells, Cel
   const std::array<Point3, 4> tetrahedron = corners(cells, cell);
   if (question.sphere) return may_conflict(tetrahedron, *question.sphere);
   const Circumball ball = circumball(tetrahedron);
-  const double weight = dot(ball.centre, ball.centre) + most_error_;
+  const double weight = dot(ball.centre, ball.centre) + tie_error_;
   return power_.in_conflict(question.cell, {plus(ball.origin, ball.centre), weight});
 }
 

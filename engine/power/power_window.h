@@ -78,7 +78,7 @@ class PowerWindow {
   SamplePoles poles_;
   PoleNumber some_step_;
   OrthosphereReach reach_;
-  double most_error_;  ///< of the power of a sphere's centre
+  double tie_error_ = 0;  ///< balls whose power to a sample is smaller count as touching it
   std::uint64_t memory_bytes_ = 0;
   RegularTriangulation power_;
   std::vector<bool> done_;  ///< cells of the power diagram without conflict
