@@ -69,7 +69,7 @@ void build_windows(const CloudSummary& summary, std::uint64_t points, const How&
   const CloudIndex index = build_index(summary, points, stage.context);
   measure_spacing(index, {}, stage.context);
   SpacingCache spacings(stage.scratch, index, SpacingCache::least_memory(how.threads));
-  EvidenceCollector evidence(spacings, stage.stop, true);
+  EvidenceCollector evidence(spacings, stage.stop, {.hands_on_poles = true});
   std::array<WindowConsumer*, 1> consumers{&evidence};
   run_window_stage({index, consumers, {}}, {},
                    {.threads = how.threads,
