@@ -9,7 +9,7 @@
 // triangulation that has an owned pole, so that these are cells of the regular triangulation of all
 // poles; windows that own all samples own every pole inside, each once.
 // Thread rule: one thread. Memory: bytes(): the samples' window, 5 bytes a tetrahedron of it more,
-// and about 1 KB an owned pole. Cost: about 80 us an owned pole, in 16 walks of 33 tests each; two
+// and about 1 KB an owned pole. Cost: 50 to 80 us an owned pole, in 16 walks of 33 tests each; two
 // thirds of it walking. Source: docs/algorithms/weighted.md
 #pragma once
 
