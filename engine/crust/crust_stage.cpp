@@ -9,7 +9,7 @@ namespace stream_recon {
 CrustSurface build_crust(const CloudSummary& cloud, std::uint64_t point_count,
                          const CrustStageOptions& options, const StageContext& context) {
   for (const std::string& name : context.scratch.names()) {
-    if (name.starts_with("crust_")) context.scratch.remove(name);
+    if (name.starts_with("crust")) context.scratch.remove(name);
   }
   CrustWindows windows;
   {

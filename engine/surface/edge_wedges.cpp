@@ -4,11 +4,30 @@
 #include <functional>
 
 namespace stream_recon {
+namespace {
+
+using Wedges = std::vector<std::array<std::uint32_t, 2>>;
+
+/// The same pairs, whatever the order of the sides.
+Wedges pairs_without_turn(std::span<WedgeSide> sides) {
+  std::sort(sides.begin(), sides.end(), [](const WedgeSide& a, const WedgeSide& b) {
+    if (a.rises != b.rises) return b.rises;
+    return a.apex < b.apex;
+  });
+  const std::size_t half = sides.size() / 2;
+  Wedges wedges;
+  for (std::size_t i = 0; i < half; ++i) {
+    wedges.push_back({sides[i].name, sides[half + i].name});
+  }
+  return wedges;
+}
+
+}  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> inside_wedges(const std::array<Point3, 2>& edge,
                                                         std::span<WedgeSide> sides,
                                                         const Predicates& predicates) {
-  std::vector<std::array<std::uint32_t, 2>> wedges;
+  Wedges wedges;
   if (sides.size() < 2) return wedges;
   const auto turn = [&](const Point3& from, const Point3& to) {
     return predicates.orient3d(edge[0], edge[1], from, to);
@@ -29,6 +48,10 @@ std::vector<std::array<std::uint32_t, 2>> inside_wedges(const std::array<Point3,
     const WedgeSide& next = sides[(i + 1) % sides.size()];
     if (!sides[i].rises && next.rises) wedges.push_back({sides[i].name, next.name});
   }
+  const auto rising = std::count_if(sides.begin(), sides.end(),
+                                    [](const WedgeSide& side) { return side.rises; });
+  const bool is_closed = 2 * static_cast<std::size_t>(rising) == sides.size();
+  if (is_closed && 2 * wedges.size() != sides.size()) return pairs_without_turn(sides);
   return wedges;
 }
 

@@ -23,7 +23,9 @@ struct WedgeSide {
 };
 
 /// The names of the two sides of each wedge of the inside, around the edge from `low` to `high`.
-/// \param sides of all triangles at the edge; no two of them overlap
+/// Where triangles overlap or have no area, as rounded corners of a crust may make them, so that
+/// their turn tells nothing, each side that rises goes with some side that falls.
+/// \param sides of all triangles at the edge
 /// \pre The points are in the range of the predicates.
 std::vector<std::array<std::uint32_t, 2>> inside_wedges(const std::array<Point3, 2>& edge,
                                                         std::span<WedgeSide> sides,
