@@ -53,7 +53,8 @@ class SamplePoles {
   VertexId owned_count() const { return owned_count_; }
   bool has_added() const { return !added_.empty(); }
   const Entry& operator[](VertexId v) const { return entries_[v]; }
-  /// A sample that all of these touch, as a vertex of the window. \pre one of them has a cell
+  /// The sample that all of these touch, of several that of the lowest rank, as a vertex of the
+  /// window. \pre one of them has a cell
   std::optional<VertexId> common_sample(std::span<const VertexId> poles) const;
 
   std::uint64_t bytes() const;
@@ -66,8 +67,8 @@ class SamplePoles {
   PoleFinder& finder_;
   std::vector<Entry> entries_;
   std::vector<WeightedPoint3> added_;
-  std::vector<State> states_;       ///< of cells
-  std::vector<PoleNumber> loose_;   ///< of entries without a cell, ascending
+  std::vector<State> states_;      ///< of cells
+  std::vector<PoleNumber> loose_;  ///< of entries without a cell, ascending
   VertexId owned_count_ = 0;
 };
 
