@@ -15,6 +15,7 @@
 namespace stream_recon {
 
 /// \pre the box is not empty
+/// \throw InputError its extent is beyond what the arithmetic of balls can take
 std::array<Point3, 8> far_points(const Box3& box);
 
 }  // namespace stream_recon

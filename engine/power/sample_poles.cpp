@@ -34,7 +34,8 @@ void SamplePoles::add_owned(const OwnedRange& owned) {
   for (CellId cell = 0; cell < cells.slots(); ++cell) {
     if (!samples_.is_final(cell) || cells.is_infinite(cell)) continue;
     const PoleNumber number = finder_.find(name_of(cell));
-    states_[cell] = number == kNoPole ? State::kNotAPole : State::kMissing;
+    // What is a pole is not asked about here: add_some() may add it.
+    if (number == kNoPole) states_[cell] = State::kNotAPole;
     const auto at = std::lower_bound(
         entries_.begin(), entries_.end(), number,
         [](const Entry& entry, PoleNumber sought) { return entry.number < sought; });
@@ -86,20 +87,21 @@ std::vector<WeightedPoint3> SamplePoles::take_added() {
 }
 
 std::optional<VertexId> SamplePoles::common_sample(std::span<const VertexId> poles) const {
-  const auto known = std::find_if(poles.begin(), poles.end(), [this](VertexId pole) {
-    return entries_[pole].cell != kNoCell;
-  });
+  const auto known = std::find_if(poles.begin(), poles.end(),
+                                  [this](VertexId pole) { return entries_[pole].cell != kNoCell; });
   if (known == poles.end()) return std::nullopt;
   const FinalWindow window = samples_.view();
+  std::optional<VertexId> lowest;
   for (const VertexId sample : window.delaunay().view().vertices(entries_[*known].cell)) {
+    if (lowest && window.rank(*lowest) < window.rank(sample)) continue;
     const auto rank = static_cast<std::uint32_t>(window.rank(sample));
     const bool is_common = std::all_of(poles.begin(), poles.end(), [&](VertexId pole) {
       const auto& ranks = entries_[pole].name.ranks;
       return ranks[0] == rank || ranks[1] == rank || ranks[2] == rank || ranks[3] == rank;
     });
-    if (is_common) return sample;
+    if (is_common) lowest = sample;
   }
-  return std::nullopt;
+  return lowest;
 }
 
 std::uint64_t SamplePoles::bytes() const {

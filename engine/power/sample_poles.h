@@ -57,8 +57,8 @@ class SamplePoles {
   VertexId owned_count() const { return owned_count_; }
   bool has_added() const { return !added_.empty(); }
   const Entry& operator[](VertexId v) const { return entries_[v]; }
-  /// A sample that all of these touch, as a vertex of the window; nothing if there is none, or none
-  /// of them has a cell.
+  /// The sample that all of these touch, of several that of the lowest rank, as a vertex of the
+  /// window; nothing if there is none, or none of them has a cell.
   std::optional<VertexId> common_sample(std::span<const VertexId> poles) const;
 
   std::uint64_t bytes() const;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <type_traits>
 
 #include "engine/surface/closure_code.h"
@@ -25,7 +26,10 @@ struct FacetRecord {
   Facing facing = Facing::kUnknown;
   std::uint16_t closure = kUnknownClosure;  ///< closure_code.h
 
-  friend bool operator<(const FacetRecord& a, const FacetRecord& b) { return a.ranks < b.ranks; }
+  /// Of a crust two facets may have the same corners, and face each other.
+  friend bool operator<(const FacetRecord& a, const FacetRecord& b) {
+    return std::tie(a.ranks, a.facing, a.delta) < std::tie(b.ranks, b.facing, b.delta);
+  }
 };
 
 static_assert(sizeof(FacetRecord) == 32 && std::is_trivially_copyable_v<FacetRecord>);

@@ -65,10 +65,13 @@ class SimplexFinder {
       : scale_(range.scale().value()), exact_(range.times(scale_)) {}
 
   int dimension() const { return dimension_; }
+  /// How many points were, up to the fourth.
+  std::uint64_t offered() const { return offered_; }
   const std::array<PointRank, 4>& ranks() const { return ranks_; }
 
   void offer(const Point3& p, PointRank rank) {
     if (dimension_ == 3) return;
+    ++offered_;
     corner_[dimension_ + 1] = {p.x * scale_, p.y * scale_, p.z * scale_};
     const auto& [a, b, c, d] = corner_;
     if (dimension_ == 1 && exact_.coplanar_orientation(a, b, c) == 0) return;
@@ -80,6 +83,7 @@ class SimplexFinder {
   double scale_;
   Predicates exact_;
   int dimension_ = -1;
+  std::uint64_t offered_ = 0;
   std::array<PointRank, 4> ranks_{};
   std::array<Point3, 4> corner_{};
 };
@@ -87,7 +91,7 @@ class SimplexFinder {
 class IndexBuilder {
  public:
   IndexBuilder(const CloudSummary& cloud, std::uint64_t point_count, const StageContext& context)
-      : context_(context), finder_(cloud.range) {
+      : context_(context), samples_(cloud.points), finder_(cloud.range) {
     index_.point_count = point_count;
     index_.range = cloud.range;
     index_.scale = scale_of(cloud.range);
@@ -104,7 +108,7 @@ class IndexBuilder {
 
   CloudIndex build() {
     write_pages();
-    if (finder_.dimension() < 3) refuse_flat(index_.point_count, finder_.dimension());
+    if (finder_.dimension() < 3) refuse_flat(finder_.offered(), finder_.dimension());
     index_.simplex = finder_.ranks();
     make_top();
     close_shells(index_.shells);
@@ -166,7 +170,8 @@ class IndexBuilder {
         for (std::size_t page = begin; page < end; ++page) bound(cursor, batch, page);
       });
       for (std::size_t i = 0; i < batch.count && finder_.dimension() < 3; ++i) {
-        finder_.offer(batch.points[i].point, rank + i);
+        const StoredPoint& stored = batch.points[i];
+        if (stored.input_index < samples_) finder_.offer(stored.point, rank + i);
       }
       for (std::size_t page = 0; page < batch.pages(); ++page) {
         index_.top[0].push_back(batch.nodes[page * kPageNodes]);
@@ -242,6 +247,7 @@ class IndexBuilder {
   }
 
   const StageContext& context_;
+  const std::uint64_t samples_;  ///< input indices from here on are of far points
   SimplexFinder finder_;
   CloudIndex index_;
 };

@@ -34,7 +34,8 @@ struct CloudIndex {
   /// one.
   std::vector<std::vector<NodeBounds>> top;
   SphereShells shells;
-  /// Ranks of four affinely independent points; any window that has them has tetrahedra.
+  /// Ranks of four affinely independent points, no far ones; any window that has them has
+  /// tetrahedra.
   std::array<PointRank, 4> simplex{};
   Reservation memory;
 
@@ -43,8 +44,8 @@ struct CloudIndex {
   }
 };
 
-/// \throw InputError the points have no tetrahedra: too few, or all in one plane; or their
-///        coordinates are too far apart in magnitude
+/// \throw InputError the points have no tetrahedra, far points aside: too few, or all in one plane;
+///        or their coordinates are too far apart in magnitude
 /// \throw IoError, BudgetError, Interrupted
 CloudIndex build_index(const CloudSummary& cloud, std::uint64_t point_count,
                        const StageContext& context);
