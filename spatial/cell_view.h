@@ -9,20 +9,22 @@
 
 #include "spatial/cell_array.h"
 #include "spatial/delaunay.h"
-#include "spatial/point.h"
+#include "spatial/site.h"
 
 namespace stream_recon {
 
-class CellView {
+/// \tparam Site Point3 or WeightedPoint3
+template <class Site>
+class BasicCellView {
  public:
   struct Parts {
     const detail::Cell* cells = nullptr;
     CellId slots = 0;
-    const Point3* points = nullptr;  ///< of vertex v at v + 1, multiplied by `scale`
-    double scale = 1;                ///< a power of two
+    const Site* points = nullptr;  ///< of vertex v at v + 1, multiplied by `scale`
+    double scale = 1;              ///< a power of two
   };
 
-  explicit CellView(const Parts& parts) : parts_(parts), unscale_(1 / parts.scale) {}
+  explicit BasicCellView(const Parts& parts) : parts_(parts), unscale_(1 / parts.scale) {}
 
   CellId slots() const { return parts_.slots; }
   bool is_live(CellId c) const { return !detail::is_dead(parts_.cells[c]); }
@@ -56,11 +58,8 @@ class CellView {
     for (int i = 0; i < 4; ++i) __builtin_prefetch(&stored_point(vertex(c, i)));
   }
   /// The point as stored: multiplied by the scale.
-  const Point3& stored_point(VertexId v) const { return parts_.points[v + 1]; }
-  Point3 point(VertexId v) const {
-    const Point3& p = stored_point(v);
-    return {p.x * unscale_, p.y * unscale_, p.z * unscale_};
-  }
+  const Site& stored_point(VertexId v) const { return parts_.points[v + 1]; }
+  Site point(VertexId v) const { return scaled(stored_point(v), unscale_); }
 
  private:
   Parts parts_;

@@ -1,8 +1,9 @@
-// The cells in conflict with a point: those whose circumsphere holds it.
+// The cells in conflict with a site: those whose circumsphere holds it or, with weights, whose
+// orthogonal sphere it is closer than orthogonal to.
 //
 // Guarantees: find() marks exactly the cells in conflict dead and lists them and their boundary;
-// nothing else changes. The zone is star-shaped seen from the point (exact predicates, ties
-// perturbed), so that cells from its boundary to the point fill it (Bowyer 1981, Watson 1981).
+// nothing else changes. The zone is star-shaped seen from the site (exact predicates, ties
+// perturbed), so that cells from its boundary to the site fill it (Bowyer 1981, Watson 1981).
 // Memory: the largest zone seen. Thread rule: one writer. Cost: four in-sphere tests at a time;
 // about 50 tests a point of a random cloud.
 #pragma once
@@ -12,9 +13,8 @@
 #include <cstdint>
 
 #include "spatial/cell_array.h"
-#include "spatial/point.h"
 #include "spatial/predicates.h"
-#include "spatial/sphere_batch.h"
+#include "spatial/site_tests.h"
 #include "spatial/work_list.h"
 
 namespace stream_recon::detail {
@@ -25,27 +25,35 @@ struct SharedFacet {
   std::uint32_t outer;  ///< as a facet of the cell beyond
 };
 
-/// Whether p is inside the circumsphere of a cell or, for an infinite one, beyond its hull facet.
-/// In the plane of the facet the circumsphere shrinks to the facet's circumcircle.
-bool is_in_conflict(const Cell& cell, const Point3* points, const Point3& p,
+struct ZoneLists {
+  WorkList<std::uint32_t> cells;
+  WorkList<SharedFacet> boundary;
+};
+
+/// Whether a site is in conflict with a cell or, for an infinite one, beyond its hull facet. In the
+/// plane of the facet the sphere shrinks to the facet's circle.
+template <class Site>
+bool is_in_conflict(const Cell& cell, const Site* sites, const Site& query,
                     const Predicates& predicates);
 
+/// \tparam Site Point3 or WeightedPoint3
+template <class Site>
 class ConflictZone {
  public:
-  ConflictZone() : test_spheres_(select_sphere_batch_test()) {}
-
   struct Request {
-    const Point3* points;      ///< by vertex
-    std::uint32_t vertex;      ///< the point
+    const Site* sites;         ///< by vertex
+    std::uint32_t vertex;      ///< the site
     std::uint32_t first_cell;  ///< a cell in conflict with it
   };
   void find(CellArray& cells, const Predicates& predicates, const Request& request);
 
-  const WorkList<std::uint32_t>& cells() const { return zone_; }
-  const WorkList<SharedFacet>& boundary() const { return boundary_; }
-  std::size_t bytes() const { return zone_.bytes() + pending_.bytes() + boundary_.bytes(); }
+  const ZoneLists& lists() const { return lists_; }
+  std::size_t bytes() const {
+    return lists_.cells.bytes() + lists_.boundary.bytes() + pending_.bytes();
+  }
 
  private:
+  using Tests = SiteTests<Site>;
   struct Batch {
     std::array<SharedFacet, 5> facet;  // one more is written than counts
     unsigned count = 0;
@@ -57,11 +65,13 @@ class ConflictZone {
   void sort_out(const Batch& batch, CellArray& cells);
   void add(CellArray& cells, std::uint32_t cell, std::uint32_t entered_by, bool counts);
 
-  SphereBatchTest test_spheres_;
-  WorkList<std::uint32_t> zone_;
+  typename Tests::BatchTest test_four_ = Tests::select_batch_test();
+  ZoneLists lists_;
   WorkList<SharedFacet> pending_;  // facets of the zone to cross
   std::size_t next_ = 0;           // the first of them not crossed yet
-  WorkList<SharedFacet> boundary_;
 };
+
+extern template class ConflictZone<Point3>;
+extern template class ConflictZone<WeightedPoint3>;
 
 }  // namespace stream_recon::detail

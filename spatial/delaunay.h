@@ -25,7 +25,9 @@ namespace stream_recon {
 using VertexId = std::uint32_t;
 using CellId = std::uint32_t;
 
-class CellView;
+template <class Site>
+class BasicCellView;
+using CellView = BasicCellView<Point3>;
 
 class Delaunay {
  public:

@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <utility>
 
+#include "spatial/site.h"
+
 namespace stream_recon::detail {
 
-FirstSimplex find_first_simplex(std::span<const Point3> points, std::uint32_t first_vertex,
+template <class Site>
+FirstSimplex find_first_simplex(std::span<const Site> sites, std::uint32_t first_vertex,
                                 const Predicates& predicates) {
   FirstSimplex simplex;
   std::array<const Point3*, 4> corner{};
-  for (std::size_t i = 0; i < points.size() && simplex.dimension < 3; ++i) {
-    corner[simplex.dimension + 1] = &points[i];
+  for (std::size_t i = 0; i < sites.size() && simplex.dimension < 3; ++i) {
+    corner[simplex.dimension + 1] = &position(sites[i]);
     const auto& [a, b, c, d] = corner;
+    if (simplex.dimension == 0 && *a == *b) continue;
     if (simplex.dimension == 1 && predicates.coplanar_orientation(*a, *b, *c) == 0) continue;
     if (simplex.dimension == 2 && predicates.orient3d(*a, *b, *c, *d) == 0) continue;
     simplex.vertices[++simplex.dimension] = first_vertex + static_cast<std::uint32_t>(i);
@@ -22,6 +26,10 @@ FirstSimplex find_first_simplex(std::span<const Point3> points, std::uint32_t fi
   }
   return simplex;
 }
+
+template FirstSimplex find_first_simplex(std::span<const Point3>, std::uint32_t, const Predicates&);
+template FirstSimplex find_first_simplex(std::span<const WeightedPoint3>, std::uint32_t,
+                                         const Predicates&);
 
 void make_first_cells(CellArray& cells, const FirstSimplex& simplex) {
   cells.make_room(5, CellArray::kMostCells);

@@ -16,9 +16,10 @@ struct FirstSimplex {
   std::array<std::uint32_t, 4> vertices{};  ///< dimension + 1 of them, positively oriented for 3
 };
 
-/// Looks through the points in order. Vertex numbers count from `first_vertex`. Linear in the
-/// points. \pre The points are distinct.
-FirstSimplex find_first_simplex(std::span<const Point3> points, std::uint32_t first_vertex,
+/// Looks through the sites in order; weights do not matter. Vertex numbers count from
+/// `first_vertex`. Linear in the sites.
+template <class Site>
+FirstSimplex find_first_simplex(std::span<const Site> sites, std::uint32_t first_vertex,
                                 const Predicates& predicates);
 
 /// Fills empty cells with the simplex (cell 0) and the infinite cells on its four facets.

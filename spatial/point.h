@@ -26,6 +26,10 @@ struct Point3 {
 struct WeightedPoint3 {
   Point3 point;
   double weight = 0;
+
+  friend constexpr bool operator==(const WeightedPoint3& a, const WeightedPoint3& b) {
+    return a.point == b.point && a.weight == b.weight;
+  }
 };
 
 inline bool is_finite(const Point3& p) {

@@ -3,10 +3,13 @@
 #include <array>
 #include <utility>
 
+#include "spatial/site.h"
+
 namespace stream_recon::detail {
 
+template <class Site>
 std::uint32_t locate(const CellArray& cells, const Predicates& predicates,
-                     const LocationRequest& request) {
+                     const LocationRequest<Site>& request) {
   std::uint32_t at = request.start_cell;
   std::uint32_t entered_by = 4;
   const auto cross = [&](int facet) {
@@ -18,9 +21,8 @@ std::uint32_t locate(const CellArray& cells, const Predicates& predicates,
   for (;;) {
     const Cell& cell = cells[at];
     if (is_infinite(cell)) return at;
-    std::array<const Point3*, 4> corner = {
-        &request.points[cell.vertex[0]], &request.points[cell.vertex[1]],
-        &request.points[cell.vertex[2]], &request.points[cell.vertex[3]]};
+    const auto place = [&](int i) { return &position(request.sites[cell.vertex[i]]); };
+    std::array<const Point3*, 4> corner = {place(0), place(1), place(2), place(3)};
     std::uint32_t exit = 4;
     for (std::uint32_t i = 0; i < 4 && exit == 4; ++i) {
       if (i == entered_by) continue;
@@ -32,5 +34,9 @@ std::uint32_t locate(const CellArray& cells, const Predicates& predicates,
     cross(static_cast<int>(exit));
   }
 }
+
+template std::uint32_t locate(const CellArray&, const Predicates&, const LocationRequest<Point3>&);
+template std::uint32_t locate(const CellArray&, const Predicates&,
+                              const LocationRequest<WeightedPoint3>&);
 
 }  // namespace stream_recon::detail

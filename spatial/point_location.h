@@ -1,6 +1,7 @@
-// Finds a cell that holds a point: a visibility walk through the Delaunay structure.
+// Finds a cell that holds a point: a visibility walk through the Delaunay structure or
+// the regular one of weighted points.
 //
-// Guarantees: ends, because the walk is acyclic in a Delaunay triangulation (its ties decided by a
+// Guarantees: ends, because the walk is acyclic in a regular triangulation (its ties decided by a
 // perturbation of the lifts) with exact orientations. Cost: linear in the cells crossed; about 7
 // from the last inserted point to the next on a Hilbert curve.
 // Thread rule: const.
@@ -15,15 +16,17 @@
 
 namespace stream_recon::detail {
 
+template <class Site>
 struct LocationRequest {
-  const Point3* points;      ///< by vertex
+  const Site* sites;         ///< by vertex
   std::uint32_t start_cell;  ///< any live cell, best a near one
   Point3 query;
 };
 
 /// A finite cell that contains the query, borders included, or an infinite cell whose hull facet
-/// sees it.
+/// sees it. \tparam Site Point3 or WeightedPoint3; weights do not matter here
+template <class Site>
 std::uint32_t locate(const CellArray& cells, const Predicates& predicates,
-                     const LocationRequest& request);
+                     const LocationRequest<Site>& request);
 
 }  // namespace stream_recon::detail

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "spatial/power_filter.h"
 #include "spatial/predicates_exact.h"
 
 namespace stream_recon {
@@ -23,47 +24,6 @@ Point3 turned(const Point3& p, int axis) {
 }
 WeightedPoint3 turned(const WeightedPoint3& p, int axis) {
   return {turned(p.point, axis), p.weight};
-}
-
-// estimate_in_sphere() with weights. The lift of a row, s + t with s = |row|^2 and t the
-// difference of the weights, has one rounding more: 24 * 17 u (|s| + |t|).
-Estimate estimate_power_test(const std::array<WeightedPoint3, 5>& sites) {
-  std::array<Point3, 4> row;
-  std::array<double, 4> lift;
-  double top = 0;
-  for (int i = 0; i < 4; ++i) {
-    row[i] = difference(sites[i].point, sites[4].point);
-    const double square = detail::squared_length(row[i]);
-    const double weight = sites[4].weight - sites[i].weight;
-    lift[i] = square + weight;
-    top = std::max(top, square + std::fabs(weight));
-  }
-  const auto& [a, b, c, d] = row;
-  const double x = detail::largest(a.x, b.x, c.x, d.x);
-  const double y = detail::largest(a.y, b.y, c.y, d.y);
-  const double z = detail::largest(a.z, b.z, c.z, d.z);
-  const detail::Lifts<double> lifts{lift[0], lift[1], lift[2], lift[3]};
-  return {detail::lifted_determinant(a, b, c, d, lifts),
-          416 * detail::kRoundoff * (x * y * z * top), std::max(std::max(x, y), z)};
-}
-
-// estimate_in_circle_xy() with weights: 6 * 13 u.
-Estimate estimate_power_circle_xy(const std::array<WeightedPoint3, 4>& sites) {
-  std::array<Point3, 3> row;
-  std::array<double, 3> lift;
-  double top = 0;
-  for (int i = 0; i < 3; ++i) {
-    row[i] = difference(sites[i].point, sites[3].point);
-    const double square = detail::squared_length(row[i]);
-    const double weight = sites[3].weight - sites[i].weight;
-    lift[i] = square + weight;
-    top = std::max(top, square + std::fabs(weight));
-  }
-  const auto& [a, b, c] = row;
-  const double x = detail::largest(a.x, b.x, c.x);
-  const double y = detail::largest(a.y, b.y, c.y);
-  return {detail::lifted_determinant_xy(a, b, c, detail::Lifts<double>{lift[0], lift[1], lift[2]}),
-          81 * detail::kRoundoff * (x * y * top), std::max(x, y)};
 }
 
 }  // namespace
@@ -138,9 +98,9 @@ int Predicates::in_circle_perturbed(const Point3& a, const Point3& b, const Poin
 int Predicates::power_test(const WeightedPoint3& a, const WeightedPoint3& b,
                            const WeightedPoint3& c, const WeightedPoint3& d,
                            const WeightedPoint3& e) const {
-  const std::array<WeightedPoint3, 5> sites{a, b, c, d, e};
-  const Estimate estimate = estimate_power_test(sites);
-  return estimate.is_certain() ? estimate.sign() : detail::exact_power_test(sites);
+  const PowerEstimate estimate = estimate_power_test(a, b, c, d, e);
+  if (estimate.is_certain() || estimate.is_exact(in_sphere_reach_)) return estimate.sign();
+  return detail::exact_power_test({a, b, c, d, e});
 }
 
 int Predicates::power_test_perturbed(const WeightedPoint3& a, const WeightedPoint3& b,
@@ -158,7 +118,7 @@ int Predicates::power_circle(const WeightedPoint3& a, const WeightedPoint3& b,
                                               turned(d, axis)};
     const int orientation = orient_xy(sites[0].point, sites[1].point, sites[2].point);
     if (orientation == 0) continue;
-    const Estimate estimate = estimate_power_circle_xy(sites);
+    const Estimate estimate = estimate_power_circle_xy(sites[0], sites[1], sites[2], sites[3]);
     if (estimate.is_certain()) return orientation * estimate.sign();
     return orientation * detail::exact_power_circle_xy(sites);
   }

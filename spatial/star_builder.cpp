@@ -22,16 +22,16 @@ inline std::uint32_t StarBuilder::build_cell(CellArray& cells, const SharedFacet
   return facet_link(built, i);
 }
 
-std::uint32_t StarBuilder::build(CellArray& cells, const ConflictZone& zone, std::uint32_t vertex) {
-  built_.resize(zone.boundary().size());
+std::uint32_t StarBuilder::build(CellArray& cells, const ZoneLists& zone, std::uint32_t vertex) {
+  built_.resize(zone.boundary.size());
   std::uint32_t* built = built_.data();
-  for (const SharedFacet& facet : zone.boundary()) *built++ = build_cell(cells, facet, vertex);
+  for (const SharedFacet& facet : zone.boundary) *built++ = build_cell(cells, facet, vertex);
   if (built_.size() <= kSmallFacets) {
     link_few(cells);
   } else {
     link_many(cells);
   }
-  cells.release(zone.cells().begin(), zone.cells().size());
+  cells.release(zone.cells.begin(), zone.cells.size());
   return cell_of(built_.back());
 }
 
@@ -105,6 +105,30 @@ void StarBuilder::link_many(CellArray& cells) {
       cell.link[corner[i]] = twin.facet;
     }
   }
+}
+
+// A vertex of the zone lives on if it is a corner of the boundary, and so of a cell built there.
+void StarBuilder::find_swallowed(const CellArray& cells, const ZoneLists& zone,
+                                 std::vector<std::uint32_t>& swallowed) {
+  std::uint8_t* const labels = labels_.data();
+  const auto label_boundary = [&](std::uint8_t label) {
+    for (const std::uint32_t facet : built_) {
+      const Cell& cell = cells[cell_of(facet)];
+      for (const std::uint8_t corner : kFacet[facet_of(facet)]) labels[cell.vertex[corner]] = label;
+    }
+  };
+  label_boundary(1);
+  const std::size_t known = swallowed.size();
+  for (const std::uint32_t dead : zone.cells) {
+    for (int i = 0; i < 4; ++i) {
+      const std::uint32_t vertex = vertex_of(cells[dead], i);
+      if (labels[vertex] != 0) continue;
+      labels[vertex] = 1;
+      swallowed.push_back(vertex);
+    }
+  }
+  label_boundary(0);
+  for (std::size_t i = known; i < swallowed.size(); ++i) labels[swallowed[i]] = 0;
 }
 
 std::size_t StarBuilder::bytes() const {

@@ -30,7 +30,12 @@ class StarBuilder {
 
   /// Replaces the cells of the zone by the star of the vertex; the star's last cell.
   /// \pre cells.make_room() covered the boundary
-  std::uint32_t build(CellArray& cells, const ConflictZone& zone, std::uint32_t vertex);
+  std::uint32_t build(CellArray& cells, const ZoneLists& zone, std::uint32_t vertex);
+
+  /// Appends the vertices of the zone that the last build() left without a cell, each once, to
+  /// `swallowed`. Reads dead cells: \pre nothing was built since.
+  void find_swallowed(const CellArray& cells, const ZoneLists& zone,
+                      std::vector<std::uint32_t>& swallowed);
 
   std::size_t bytes() const;
 

@@ -118,6 +118,19 @@ TEST_F(Programs, DuplicatesAndFlatCloudsAreTimedToo) {
   EXPECT_EQ(run("make-cloud cube -n 0 -o none.ply && bench-kernel none.ply").code, 0);
 }
 
+TEST_F(Programs, PolesAreTimedInPlaceOfPoints) {
+  EXPECT_EQ(run("make-cloud cube -n 2000 --seed 4 -o cube.xyz").code, 0);
+  const Result poles = run("bench-kernel cube.xyz --poles --json");
+  EXPECT_EQ(poles.code, 0) << poles.error;
+  EXPECT_NE(poles.output.find("\"hidden\": 0"), std::string::npos) << poles.output;
+  EXPECT_EQ(poles.output.find("\"points\": 2000,"), std::string::npos);
+  EXPECT_EQ(poles.output.find("\"tetrahedra\": 0"), std::string::npos);
+  put_bytes(folder_ / "flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+  const Result flat = run("bench-kernel flat.xyz --poles --json");
+  EXPECT_EQ(flat.code, 0) << flat.error;
+  EXPECT_NE(flat.output.find("\"points\": 0"), std::string::npos) << flat.output;
+}
+
 #ifdef STREAM_RECON_HAS_CONVERTERS
 TEST_F(Programs, SlicesToPointsFollowsTheSameRules) {
   put_bytes(folder_ / "ramp.mhd",

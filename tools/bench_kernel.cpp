@@ -1,4 +1,5 @@
-// bench-kernel: times the in-core Delaunay tetrahedralization of a cloud.
+// bench-kernel: times the in-core Delaunay tetrahedralization of a cloud, or the regular
+// triangulation of its poles.
 
 #include <fmt/format.h>
 
@@ -23,6 +24,7 @@ double rate(const KernelTimes& times) {
 void print_json(const KernelTimes& times, const DistinctPoints& cloud, int threads) {
   const nlohmann::ordered_json result{{"points", times.points},
                                       {"duplicates", cloud.duplicates},
+                                      {"hidden", times.hidden},
                                       {"dimension", times.dimension},
                                       {"tetrahedra", times.tetrahedra},
                                       {"seconds", times.seconds()},
@@ -39,6 +41,7 @@ void print_json(const KernelTimes& times, const DistinctPoints& cloud, int threa
 
 void print_text(const KernelTimes& times, const DistinctPoints& cloud) {
   fmt::print("points      {:>12}  ({} duplicates removed)\n", times.points, cloud.duplicates);
+  if (times.hidden > 0) fmt::print("hidden      {:>12}\n", times.hidden);
   fmt::print("tetrahedra  {:>12}  (dimension {})\n", times.tetrahedra, times.dimension);
   fmt::print("seconds     {:>12.3f}  (sort {:.3f}, insertion {:.3f})\n", times.seconds(),
              times.sort_seconds, times.insert_seconds);
@@ -53,6 +56,7 @@ void print_text(const KernelTimes& times, const DistinctPoints& cloud) {
 int main(int argc, char** argv) {
   std::string path;
   int threads = 1;
+  bool poles = false;
   bool json = false;
   CLI::App app(
       "Times the in-core Delaunay tetrahedralization of a cloud, its spatial sort included",
@@ -63,11 +67,16 @@ int main(int argc, char** argv) {
                  "Accepted for later: keys, sort and kernel use one thread so far")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_flag(
+      "--poles", poles,
+      "Triangulate the cloud's poles with their weights instead; finding them is not timed");
   app.add_flag("--json", json, "Print JSON");
   return stream_recon::run_tool(app, argc, argv, [&] {
     const auto source = stream_recon::open_point_source(path, stream_recon::InputFormat::kAuto);
     const DistinctPoints cloud = stream_recon::read_distinct_points(*source);
-    const KernelTimes times = stream_recon::time_kernel(cloud);
+    const KernelTimes times =
+        poles ? stream_recon::time_regular_kernel(stream_recon::find_poles(cloud))
+              : stream_recon::time_kernel(cloud);
     if (json) return print_json(times, cloud, threads);
     print_text(times, cloud);
   });

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Our Delaunay kernel against CGAL's, or the whole program in little memory against it, in pairs on
 # the same clouds; called by ./dev bench.
-#   compare.sh kernel [POINTS] [ROUNDS]
+#   compare.sh kernel [POINTS] [ROUNDS] [--poles]
 #   compare.sh windows [OPTIONS of bench-windows]
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Runs bench-kernel and bench-cgal in pairs and prints how they compare.
 
-    compare_kernel.py BIN [POINTS] [ROUNDS]
+    compare_kernel.py BIN [POINTS] [ROUNDS] [--poles]
 
+With --poles both triangulate the poles of the clouds, weighted, instead of their points.
 The two take turns, so that other work on the machine meets both; a line gives the medians of the
 rounds. The exit code is 1 if the two ever differ in a tetrahedron.
 """
@@ -22,9 +23,12 @@ def times(program, cloud):
     return json.loads(run.stdout)
 
 
-def compare(binaries, cloud, rounds):
+def compare(binaries, cloud, rounds, options):
     pairs = [
-        (times([binaries / "bench-kernel", "--json"], cloud), times([binaries / "bench-cgal"], cloud))
+        (
+            times([binaries / "bench-kernel", "--json", *options], cloud),
+            times([binaries / "bench-cgal", *options], cloud),
+        )
         for _ in range(rounds)
     ]
     ours, theirs = zip(*pairs)
@@ -36,21 +40,21 @@ def compare(binaries, cloud, rounds):
     print(
         f"{cloud.stem:8} {ours[0]['points']:>10} {ours[0]['tetrahedra']:>11} {seconds:>9.2f}"
         f" {cgal_seconds:>9.2f} {ratio:>7.2f} {ratio_cpu:>7.2f} {ours[0]['bytes_per_point']:>9.0f}"
-        f"  {'yes' if same else 'NO'}",
+        f" {theirs[0]['bytes_per_point']:>9.0f}  {'yes' if same else 'NO'}",
         flush=True,
     )
     return same
 
 
-def main(binaries, points="1000000", rounds="3"):
-    print("cloud        points  tetrahedra    ours s    CGAL s   ratio   (cpu)   bytes/pt  same tetrahedra")
+def main(binaries, points="1000000", rounds="3", *options):
+    print("cloud        points  tetrahedra    ours s    CGAL s   ratio   (cpu)   bytes/pt      CGAL  same tetrahedra")
     same = True
     with tempfile.TemporaryDirectory() as folder:
         for kind in CLOUDS:
             cloud = pathlib.Path(folder) / f"{kind}.ply"
             make = [pathlib.Path(binaries) / "make-cloud", kind, "-n", points, "-o", cloud]
             subprocess.run(make, check=True, stderr=subprocess.DEVNULL)
-            same &= compare(pathlib.Path(binaries), cloud, int(rounds))
+            same &= compare(pathlib.Path(binaries), cloud, int(rounds), options)
             cloud.unlink()
     return 0 if same else 1
 

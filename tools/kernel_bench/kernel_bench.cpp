@@ -12,7 +12,10 @@
 #include "io/error.h"
 #include "spatial/delaunay.h"
 #include "spatial/hilbert.h"
+#include "spatial/regular_triangulation.h"
 #include "spatial/simplex_digest.h"
+#include "spatial/site.h"
+#include "tools/kernel_bench/pole_sites.h"
 #include "tools/kernel_bench/radix_sort.h"
 
 namespace stream_recon {
@@ -57,28 +60,65 @@ std::vector<bool> mark_repeated(const std::vector<Point3>& points) {
   return repeated;
 }
 
-std::vector<KeyedNumber> hilbert_order(const std::vector<Point3>& points) {
+Box3 box_of(const std::vector<Point3>& points) {
   Box3 box;
   for (const Point3& p : points) box.extend(p);
+  return box;
+}
+
+template <class Site>
+std::vector<KeyedNumber> hilbert_order(const std::vector<Site>& sites, const Box3& box) {
   const HilbertCurve curve(box);
-  std::vector<KeyedNumber> order(points.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {curve.key(points[i]), i};
+  std::vector<KeyedNumber> order(sites.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {curve.key(position(sites[i])), i};
   radix_sort(order);
   return order;
 }
 
-void count_tetrahedra(const Delaunay& delaunay, const std::vector<KeyedNumber>& order,
-                      const DistinctPoints& cloud, KernelTimes& times) {
+template <class Triangulation>
+void count_tetrahedra(const Triangulation& triangulation, const std::vector<std::uint64_t>& names,
+                      KernelTimes& times) {
   SimplexDigest digest;
-  for (CellId c = 0; c < delaunay.cell_slots(); ++c) {
-    if (!delaunay.is_live(c) || delaunay.is_infinite(c)) continue;
+  for (CellId c = 0; c < triangulation.cell_slots(); ++c) {
+    if (!triangulation.is_live(c) || triangulation.is_infinite(c)) continue;
     std::array<std::uint64_t, 4> corners{};
-    const std::array<VertexId, 4> vertices = delaunay.vertices(c);
-    for (int i = 0; i < 4; ++i) corners[i] = cloud.indices[order[vertices[i]].number];
+    const std::array<VertexId, 4> vertices = triangulation.vertices(c);
+    for (int i = 0; i < 4; ++i) corners[i] = names[vertices[i]];
     digest.add(corners);
     ++times.tetrahedra;
   }
   times.digest = digest.hex();
+}
+
+std::vector<KeyedNumber> order_of(const std::vector<Point3>& points) {
+  return hilbert_order(points, box_of(points));
+}
+std::vector<KeyedNumber> order_of(const PoleCloud& poles) {
+  return hilbert_order(poles.sites, poles.box);
+}
+
+/// Fills in all but what the digest tells. \return the order of insertion
+template <class Triangulation, class Cloud, class Site>
+std::vector<KeyedNumber> time_insertion(Triangulation& triangulation, const Cloud& cloud,
+                                        const std::vector<Site>& sites, KernelTimes& times) {
+  times.points = sites.size();
+  const std::clock_t busy = std::clock();
+  Stopwatch watch;
+  std::vector<KeyedNumber> order = order_of(cloud);
+  times.sort_seconds = watch.lap();
+
+  std::vector<Site> ordered(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) ordered[i] = sites[order[i].number];
+  const Delaunay::Outcome outcome = triangulation.insert(ordered);
+  times.insert_seconds = watch.lap();
+  times.cpu_seconds = static_cast<double>(std::clock() - busy) / CLOCKS_PER_SEC;
+
+  if (outcome == Delaunay::Outcome::kBadRange) {
+    throw InputError("coordinates too far apart in magnitude for exact arithmetic: scale them");
+  }
+  times.dimension = triangulation.dimension();
+  times.kernel_bytes = triangulation.bytes();
+  return order;
 }
 
 }  // namespace
@@ -98,25 +138,31 @@ DistinctPoints read_distinct_points(PointSource& source) {
 
 KernelTimes time_kernel(const DistinctPoints& cloud) {
   KernelTimes times;
-  times.points = cloud.points.size();
-  const std::clock_t busy = std::clock();
-  Stopwatch watch;
-  const std::vector<KeyedNumber> order = hilbert_order(cloud.points);
-  times.sort_seconds = watch.lap();
-
-  std::vector<Point3> ordered(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) ordered[i] = cloud.points[order[i].number];
   Delaunay delaunay;
-  const Delaunay::Outcome outcome = delaunay.insert(ordered);
-  times.insert_seconds = watch.lap();
-  times.cpu_seconds = static_cast<double>(std::clock() - busy) / CLOCKS_PER_SEC;
+  const auto order = time_insertion(delaunay, cloud.points, cloud.points, times);
+  std::vector<std::uint64_t> names;
+  names.reserve(order.size());
+  for (const KeyedNumber& entry : order) names.push_back(cloud.indices[entry.number]);
+  count_tetrahedra(delaunay, names, times);
+  return times;
+}
 
-  if (outcome == Delaunay::Outcome::kBadRange) {
-    throw InputError("coordinates too far apart in magnitude for exact arithmetic: scale them");
-  }
-  times.dimension = delaunay.dimension();
-  times.kernel_bytes = delaunay.bytes();
-  count_tetrahedra(delaunay, order, cloud, times);
+PoleCloud find_poles(const DistinctPoints& cloud) {
+  std::vector<Point3> ordered;
+  for (const KeyedNumber& entry : order_of(cloud.points))
+    ordered.push_back(cloud.points[entry.number]);
+  return {pole_sites(ordered), box_of(cloud.points)};
+}
+
+KernelTimes time_regular_kernel(const PoleCloud& poles) {
+  KernelTimes times;
+  RegularTriangulation regular;
+  const auto order = time_insertion(regular, poles, poles.sites, times);
+  times.hidden = regular.hidden_count();
+  std::vector<std::uint64_t> names;
+  names.reserve(order.size());
+  for (const KeyedNumber& entry : order) names.push_back(entry.number);
+  count_tetrahedra(regular, names, times);
   return times;
 }
 

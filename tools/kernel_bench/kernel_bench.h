@@ -1,4 +1,5 @@
-// Times the in-core Delaunay tetrahedralization of a cloud.
+// Times the in-core Delaunay tetrahedralization of a cloud, or the regular triangulation of its
+// poles.
 //
 // Guarantees: what is timed is Hilbert keys, sort and insertion, in this thread; reading, removal
 // of duplicates and the digest are not. Memory: the cloud twice, its keys and the kernel.
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "io/point_source.h"
+#include "spatial/box.h"
 #include "spatial/point.h"
 
 namespace stream_recon {
@@ -29,6 +31,7 @@ struct KernelTimes {
   double insert_seconds = 0;  ///< copy in order and insertion
   double cpu_seconds = 0;     ///< of the processor for both; other work beside does not count
   std::uint64_t points = 0;
+  std::uint64_t hidden = 0;      ///< poles without a power cell
   std::uint64_t tetrahedra = 0;  ///< finite
   std::uint64_t kernel_bytes = 0;
   int dimension = -1;  ///< below 3 there are no tetrahedra
@@ -39,5 +42,18 @@ struct KernelTimes {
 
 /// \throw InputError coordinates too far apart in magnitude
 KernelTimes time_kernel(const DistinctPoints& cloud);
+
+/// Poles of a cloud (pole_sites.h) by ascending place, and the box of its points.
+struct PoleCloud {
+  std::vector<WeightedPoint3> sites;
+  Box3 box;
+};
+
+/// \throw InputError coordinates too far apart in magnitude
+PoleCloud find_poles(const DistinctPoints& cloud);
+
+/// Times the regular triangulation of poles, sorted along the curve that fills the box. The digest
+/// names a pole by its position. \throw InputError coordinates too far apart in magnitude
+KernelTimes time_regular_kernel(const PoleCloud& poles);
 
 }  // namespace stream_recon
