@@ -17,6 +17,8 @@ constexpr std::uint64_t kFacets = 30;
 constexpr std::uint64_t kTetrahedra = 65;
 constexpr std::uint64_t kSurfaceOutput = 55;
 constexpr std::uint64_t kTetrahedraOutput = 90;
+constexpr std::uint64_t kPoles = 320;  // exports, sorted runs and the store side by side
+constexpr std::uint64_t kPolesOutput = 90;
 
 bool has_surface(const RunOptions& options) {
   return options.surface != SurfaceKind::kNone;
@@ -25,21 +27,25 @@ bool has_surface(const RunOptions& options) {
 /// Where the outputs are written; empty if to standard output or nowhere.
 std::string output_folder(const RunOptions& options) {
   if (has_surface(options) && options.output != "-") return parent_folder(options.output);
-  return options.tetrahedra.empty() ? "" : parent_folder(options.tetrahedra);
+  if (!options.tetrahedra.empty()) return parent_folder(options.tetrahedra);
+  return options.medial_axis.empty() ? "" : parent_folder(options.medial_axis);
 }
 
 }  // namespace
 
 DiskEstimate estimate_disk(std::uint64_t points, const RunOptions& options) {
   const bool has_tetrahedra = !options.tetrahedra.empty();
+  const bool has_poles = !options.medial_axis.empty();
   std::uint64_t windows = kStoreAndIndex;
-  if (has_surface(options)) windows += kFacets;
+  if (has_surface(options) || has_poles) windows += kFacets;
+  if (has_poles) windows += kPoles;
   if (has_tetrahedra) windows += kTetrahedra;
   // A single file is put together from parts in scratch.
   if (has_surface(options) && !options.output.ends_with(".pvtp")) windows += kSurfaceOutput;
   std::uint64_t outputs = 0;
   if (has_surface(options) && options.output != "-") outputs += kSurfaceOutput;
   if (has_tetrahedra) outputs += kTetrahedraOutput;
+  if (has_poles) outputs += kPolesOutput;
   return {points * std::max(kOrdering, windows), points * outputs};
 }
 

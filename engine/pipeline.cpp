@@ -16,6 +16,8 @@
 #include "engine/memory_trace.h"
 #include "engine/order/hilbert_sort.h"
 #include "engine/order/ingest.h"
+#include "engine/poles/medial_axis.h"
+#include "engine/poles/pole_stage.h"
 #include "engine/spacing/spacing_reader.h"
 #include "engine/spacing/spacing_stage.h"
 #include "engine/stage_log.h"
@@ -25,6 +27,7 @@
 #include "engine/windows/cloud_index.h"
 #include "engine/windows/export_reader.h"
 #include "engine/windows/window_stage.h"
+#include "io/medial_axis_writer.h"
 #include "io/points_writer.h"
 #include "io/surface_writer.h"
 #include "io/tetrahedra_writer.h"
@@ -62,12 +65,13 @@ class Pipeline {
     const auto surface_writer = make_writer(cloud);
     const auto tetrahedra_writer = make_tetrahedra_writer(cloud);
     const auto unused_writer = make_unused_writer(cloud);
+    const auto axis_writer = make_axis_writer();
     const OrderResult order = journal_.once(&Manifest::order, [&] { return sort(cloud); });
     context_.scratch.remove(kIngestSpool);
     const ChunkLayout layout{options_.chunk_points, order.point_count};
     run_windows(cloud, layout);
     const ExportReader exports(context_.scratch, context_.budget);
-    if (is_solid()) log_.run("labels", [&] { label_solid(exports, layout); });
+    if (options_.needs_labels()) label(exports, layout);
     if (surface_writer != nullptr) {
       const ExportReader facets(context_.scratch, context_.budget,
                                 is_solid() ? kLabelledPrefix : kExportPrefix);
@@ -84,9 +88,13 @@ class Pipeline {
         assemble_tetrahedra({exports, layout}, *tetrahedra_writer, context_);
       });
     }
-    if (surface_writer != nullptr || tetrahedra_writer != nullptr) {
+    if (axis_writer != nullptr) {
+      log_.run("medial axis", [&] { write_axis(layout, *axis_writer); });
+    }
+    if (surface_writer != nullptr || tetrahedra_writer != nullptr || axis_writer != nullptr) {
       log_.run("write", [&] {
-        finish({surface_writer.get(), tetrahedra_writer.get(), unused_writer.get()});
+        finish({surface_writer.get(), tetrahedra_writer.get(), unused_writer.get(),
+                axis_writer.get()});
       });
     }
     report_input(cloud, order);
@@ -139,6 +147,12 @@ class Pipeline {
         PointsWriterOptions{options_.unused, scalar_of(cloud), &context_.scratch});
   }
 
+  std::unique_ptr<MedialAxisWriter> make_axis_writer() const {
+    if (!needs_poles()) return nullptr;
+    return std::make_unique<MedialAxisWriter>(options_.medial_axis);
+  }
+
+  bool needs_poles() const { return !options_.medial_axis.empty(); }
   bool is_solid() const { return options_.surface == SurfaceKind::kSolid; }
 
   /// Those that the journal lacks.
@@ -147,10 +161,11 @@ class Pipeline {
     if (points == 0 || journal_.windows().done_points() < points) {
       const CloudIndex index =
           log_.run("index", [&] { return build_index(cloud, points, context_); });
-      if (is_solid()) log_.run("spacing", [&] { measure_spacings(cloud, index); });
+      const bool needs_labels = options_.needs_labels();
+      if (needs_labels) log_.run("spacing", [&] { measure_spacings(cloud, index); });
       log_.run("windows", [&] { build_windows(index, layout); });
       context_.scratch.remove(kIndexPages);
-      if (is_solid()) context_.scratch.remove(kSpacings);
+      if (needs_labels) context_.scratch.remove(kSpacings);
     }
     report_windows(journal_.windows().totals);
   }
@@ -158,8 +173,8 @@ class Pipeline {
   void measure_spacings(const CloudSummary& cloud, const CloudIndex& index) const {
     if (index.point_count > kMostSolidPoints) {
       throw InputError(
-          fmt::format("{} points are more than the {} that --surface solid can label; "
-                      "use --surface gamma or split the cloud",
+          fmt::format("{} points are more than the {} that can be labelled inside and outside; "
+                      "use --surface gamma without --medial-axis, or split the cloud",
                       index.point_count, kMostSolidPoints));
     }
     measure_spacing(index, options_.grid_spacing ? options_.grid_spacing : cloud.spacing, context_);
@@ -174,12 +189,12 @@ class Pipeline {
     std::optional<EvidenceCollector> evidence;
     Reservation cache;
     WindowStageOptions stage{.threads = report_.threads, .window_points = options_.window_points};
-    if (is_solid()) {
+    if (options_.needs_labels()) {
       const std::uint64_t bytes =
           SpacingCache::memory(index.point_count, report_.threads, context_.budget.available());
       cache = context_.budget.reserve(bytes, "the spacings of points");
       spacings.emplace(context_.scratch, index, bytes);
-      evidence.emplace(*spacings, context_.stop);
+      evidence.emplace(*spacings, context_.stop, needs_poles());
       consumers.push_back(&*evidence);
       stage.consumer_bytes_a_point = EvidenceCollector::kBytesAnOwnedPoint;
       stage.whole_stars = true;
@@ -193,15 +208,32 @@ class Pipeline {
                      journal_.windows(), stage, context_);
   }
 
-  /// From the windows' evidence to the facets of the surface.
-  void label_solid(const ExportReader& exports, const ChunkLayout& layout) {
+  /// From the windows' evidence to the facets of the surface and the poles.
+  void label(const ExportReader& exports, const ChunkLayout& layout) {
+    const MergedForest forest = log_.run("labels", [&] {
+      MergedForest merged = merge_forest(exports, context_);
+      if (is_solid()) export_solid(exports, layout, merged.labels);
+      return merged;
+    });
+    if (!needs_poles()) return;
+    log_.run("poles", [&] { report_.poles = store_poles(exports, forest.labels, context_); });
+  }
+
+  void export_solid(const ExportReader& exports, const ChunkLayout& layout,
+                    const WindowLabels& labels) {
     for (const std::string& name : context_.scratch.names()) {
       if (export_first_rank(name, kLabelledPrefix)) context_.scratch.remove(name);
     }
-    const MergedForest forest = merge_forest(exports, context_);
     const SolidExportOptions options{layout, options_.open_ratio};
-    report_.surface.forest_conflicts =
-        label_facets(exports, forest.labels, options, context_).conflicts;
+    report_.surface.forest_conflicts = label_facets(exports, labels, options, context_).conflicts;
+  }
+
+  void write_axis(const ChunkLayout& layout, MedialAxisWriter& writer) const {
+    const PoleSide side = options_.medial_axis_side;
+    write_medial_axis({.layout = layout,
+                       .takes_inner = side != PoleSide::kOuter,
+                       .takes_outer = side != PoleSide::kInner},
+                      writer, context_);
   }
 
   void build_surface(const ExportedFacets& facets, SurfaceWriter& writer,
@@ -250,20 +282,24 @@ class Pipeline {
     SurfaceWriter* surface;
     TetrahedraWriter* tetrahedra;
     PointsWriter* unused;
+    MedialAxisWriter* axis;
   };
 
   /// All outputs or none: what can run into a full disk comes before the first final name, and the
   /// others step back if the surface fails.
   static void finish(const Writers& writers) {
-    const auto& [surface, tetrahedra, unused] = writers;
+    const auto& [surface, tetrahedra, unused, axis] = writers;
     if (tetrahedra != nullptr) tetrahedra->prepare();
     if (unused != nullptr) unused->prepare();
+    if (axis != nullptr) axis->prepare();
     if (surface != nullptr) surface->prepare();
     if (tetrahedra != nullptr) tetrahedra->publish();
     if (unused != nullptr) unused->publish();
+    if (axis != nullptr) axis->publish();
     if (surface != nullptr) surface->finish();
     if (tetrahedra != nullptr) tetrahedra->keep();
     if (unused != nullptr) unused->keep();
+    if (axis != nullptr) axis->keep();
   }
 
   const RunOptions& options_;

@@ -108,7 +108,10 @@ const char* kind_name(SurfaceKind kind) {
 
 std::string RunOptions::scratch_parent() const {
   if (!scratch.empty()) return scratch;
-  return default_scratch_parent(output.empty() ? tetrahedra : output);
+  for (const std::string& path : {output, tetrahedra, medial_axis}) {
+    if (!path.empty()) return default_scratch_parent(path);
+  }
+  return default_scratch_parent("");
 }
 
 }  // namespace stream_recon

@@ -31,6 +31,12 @@ enum class SurfaceKind { kGamma, kAlpha, kSolid, kNone };
 /// As on the command line.
 const char* kind_name(SurfaceKind kind);
 
+/// Which poles are the medial axis: those within the solid, those outside, or all.
+enum class PoleSide { kInner, kOuter, kBoth };
+
+/// As on the command line.
+inline constexpr std::array<const char*, 3> kPoleSideNames{"inner", "outer", "both"};
+
 struct RunOptions {
   std::vector<std::string> inputs;  ///< files, read one after the other; "-" is standard input
   InputFormat input_format = InputFormat::kAuto;
@@ -50,9 +56,12 @@ struct RunOptions {
 
   /// Ends in .pvtp, .ply or .vtk, or is "-" for PLY on standard output; not used for kNone.
   std::string output;
-  /// Also writes all finite Delaunay tetrahedra; ends in .pvtu, empty for none. Neither this output
-  /// nor `output` lies in the folder of the other's chunks.
+  /// Also writes all finite Delaunay tetrahedra; ends in .pvtu, empty for none. No output lies in
+  /// the folder of another's chunks.
   std::string tetrahedra;
+  /// Also writes the medial axis, as balls; ends in .pvtp, empty for none. For kSolid and kNone.
+  std::string medial_axis;
+  PoleSide medial_axis_side = PoleSide::kInner;
   /// Also writes the points that no triangle of the surface has; ends in .ply, empty for none.
   std::string unused;
   std::uint64_t chunk_points = 100'000;  ///< points of the Hilbert order that share a chunk, >= 1
@@ -72,6 +81,9 @@ struct RunOptions {
   /// Told what a person should know and no exit code says, one line at a time; may be empty.
   std::function<void(const std::string&)> on_notice;
   StopRequest* stop = nullptr;  ///< looked at while the run lasts, if given
+
+  /// Whether tetrahedra are labelled inside and outside.
+  bool needs_labels() const { return surface == SurfaceKind::kSolid || !medial_axis.empty(); }
 
   /// The folder that the scratch folder is made in.
   std::string scratch_parent() const;

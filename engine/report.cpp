@@ -39,6 +39,11 @@ Json memory_json(const std::vector<MemorySample>& samples) {
   return {{"seconds", std::move(seconds)}, {"resident_bytes", std::move(bytes)}};
 }
 
+Json poles_json(const PoleReport& poles) {
+  return {{"count", poles.count}, {"coincident", poles.coincident}, {"unbounded", poles.unbounded},
+          {"inner", poles.inner}, {"outer", poles.outer},           {"conflicts", poles.conflicts}};
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -95,6 +100,7 @@ std::string to_json(const Report& report) {
       {"memory_over_time", memory_json(report.memory_over_time)},
   };
   if (report.input.spacing) json["input"]["spacing"] = *report.input.spacing;
+  if (report.poles) json["poles"] = poles_json(*report.poles);
   using Pointer = Json::json_pointer;
   return dump(json, {Pointer("/surface/delta_histogram"), Pointer("/memory_over_time/seconds"),
                      Pointer("/memory_over_time/resident_bytes")}) +

@@ -28,6 +28,16 @@ struct MemorySample {
 /// How many triangles have an angle Delta in each degree: [0, 1), [1, 2), ... [179, 180].
 using DeltaHistogram = std::array<std::uint64_t, 180>;
 
+/// The poles of the cloud (engine/poles/pole_stage.h).
+struct PoleReport {
+  std::uint64_t count = 0;       ///< distinct balls
+  std::uint64_t coincident = 0;  ///< tetrahedra whose ball is another's, merged with it
+  std::uint64_t unbounded = 0;   ///< samples with a pole without a ball: at infinity, mostly
+  std::uint64_t inner = 0;
+  std::uint64_t outer = 0;
+  std::uint64_t conflicts = 0;  ///< balls whose tetrahedra do not all lie on one side
+};
+
 struct Report {
   struct {
     std::uint64_t points = 0;      ///< as delivered, duplicates and rejected ones included
@@ -63,6 +73,7 @@ struct Report {
     std::uint64_t forest_conflicts = 0;    ///< of solids: evidence that the labels contradict
     DeltaHistogram delta_histogram{};
   } surface;
+  std::optional<PoleReport> poles;  ///< where the run needed them
   struct {
     std::uint64_t count = 0;
     std::uint64_t splits = 0;       ///< windows that were begun too large

@@ -44,18 +44,34 @@ bool is_within(const std::filesystem::path& place, const std::filesystem::path& 
          folder.end();
 }
 
-void check_tetrahedra(const RunOptions& options) {
-  const std::string& path = options.tetrahedra;
-  if (path.empty()) return;
-  require(path.ends_with(".pvtu"),
-          fmt::format("--tetrahedra {}: the name must end in .pvtu", path));
-  if (options.surface == SurfaceKind::kNone || options.output == "-") return;
-  const auto tetrahedra = place_of(path);
-  const auto surface = place_of(options.output);
-  require(!is_within(tetrahedra, surface) && !is_within(surface, tetrahedra),
-          fmt::format("-o {} and --tetrahedra {} would use one folder for their chunks; "
-                      "give --tetrahedra another name",
-                      options.output, path));
+/// Chunked outputs, and the surface, must not lie in each other's folders.
+void require_apart(const char* option, const std::string& path, const char* other_option,
+                   const std::string& other) {
+  if (path.empty() || path == "-" || other.empty()) return;
+  const auto one = place_of(path);
+  const auto two = place_of(other);
+  require(!is_within(one, two) && !is_within(two, one),
+          fmt::format("{0} {1} and {2} {3} would use one folder for their chunks; "
+                      "give {2} another name",
+                      option, path, other_option, other));
+}
+
+void check_chunked(const RunOptions& options) {
+  const std::string& tetrahedra = options.tetrahedra;
+  const std::string& axis = options.medial_axis;
+  require(tetrahedra.empty() || tetrahedra.ends_with(".pvtu"),
+          fmt::format("--tetrahedra {}: the name must end in .pvtu", tetrahedra));
+  require(axis.empty() || axis.ends_with(".pvtp"),
+          fmt::format("--medial-axis {}: the name must end in .pvtp", axis));
+  const SurfaceKind kind = options.surface;
+  require(axis.empty() || kind == SurfaceKind::kSolid || kind == SurfaceKind::kNone,
+          fmt::format("--medial-axis needs an inside, and --surface {} has none; "
+                      "use --surface solid or none",
+                      kind_name(kind)));
+  const std::string surface = kind == SurfaceKind::kNone ? "" : options.output;
+  require_apart("-o", surface, "--tetrahedra", tetrahedra);
+  require_apart("-o", surface, "--medial-axis", axis);
+  require_apart("--tetrahedra", tetrahedra, "--medial-axis", axis);
 }
 
 void check_unused(const RunOptions& options) {
@@ -66,14 +82,15 @@ void check_unused(const RunOptions& options) {
           "--unused names the points that no triangle has, but --surface none makes no triangles; "
           "leave one of them out");
   const auto unused = place_of(path);
-  const auto require_apart = [&](const char* option, const std::string& other) {
+  const auto require_outside = [&](const char* option, const std::string& other) {
     if (other.empty() || other == "-") return;
     require(!is_within(unused, place_of(other)),
             fmt::format("{} {} and --unused {} would lie in one place; give --unused another name",
                         option, other, path));
   };
-  require_apart("-o", options.output);
-  require_apart("--tetrahedra", options.tetrahedra);
+  require_outside("-o", options.output);
+  require_outside("--tetrahedra", options.tetrahedra);
+  require_outside("--medial-axis", options.medial_axis);
 }
 
 void check_thresholds(const RunOptions& options) {
@@ -111,7 +128,7 @@ void check_options(const RunOptions& options) {
   require(std::count(options.inputs.begin(), options.inputs.end(), "-") <= 1,
           "- is given twice, but standard input can be read once");
   check_output(options);
-  check_tetrahedra(options);
+  check_chunked(options);
   check_unused(options);
   check_thresholds(options);
   check_manifold(options);

@@ -27,6 +27,13 @@ constexpr std::string_view kGlobalIdAttributes =
 
 constexpr std::string_view kSheetAttributes = "type=\"UInt32\" Name=\"Sheet\"";
 
+std::string point_data(bool has_sheets) {
+  return "<PPointData GlobalIds=\"GlobalPointId\">\n<PDataArray " +
+         std::string(kGlobalIdAttributes) + "/>\n" +
+         (has_sheets ? "<PDataArray " + std::string(kSheetAttributes) + "/>\n" : "") +
+         "</PPointData>\n";
+}
+
 std::string escape_xml(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -54,14 +61,19 @@ void add_points(VtkXmlDocument& document, const VtkXmlPoints& points) {
   // Ids are below 2^63, so unsigned and signed are the same bytes.
   document.add_array(kGlobalIdAttributes, std::as_bytes(points.global_ids));
   if (points.sheets) document.add_array(kSheetAttributes, std::as_bytes(*points.sheets));
-  document.add("</PointData>\n<Points>\n");
-  const std::size_t point_bytes = 3 * scalar_bytes(points.scalar);
-  document.add_array(points_attributes(points.scalar), points.points.size() * point_bytes,
-                     [points, point_bytes](VtkXmlBlocks& blocks) {
-                       for (auto rest = points.points; !rest.empty();) {
+  document.add("</PointData>\n");
+  add_coordinates(document, points.points, points.scalar);
+}
+
+void add_coordinates(VtkXmlDocument& document, std::span<const Point3> points, Scalar scalar) {
+  document.add("<Points>\n");
+  const std::size_t point_bytes = 3 * scalar_bytes(scalar);
+  document.add_array(points_attributes(scalar), points.size() * point_bytes,
+                     [points, scalar, point_bytes](VtkXmlBlocks& blocks) {
+                       for (auto rest = points; !rest.empty();) {
                          const auto batch = rest.first(std::min(rest.size(), kBatch));
                          ByteSink sink(std::endian::little, batch.size() * point_bytes);
-                         for (const Point3& point : batch) put_point(sink, point, points.scalar);
+                         for (const Point3& point : batch) put_point(sink, point, scalar);
                          blocks.put(sink.bytes());
                          rest = rest.subspan(batch.size());
                        }
@@ -90,13 +102,11 @@ void add_cell_ends(VtkXmlDocument& document, std::uint64_t cells, std::uint32_t 
 
 std::string index_text(const VtkXmlIndex& index) {
   const std::string type = "P" + index.type;
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" " + kVtkXmlAttributes + ">\n<" +
-      type + " GhostLevel=\"0\">\n<PPointData GlobalIds=\"GlobalPointId\">\n<PDataArray " +
-      std::string(kGlobalIdAttributes) + "/>\n" +
-      (index.has_sheets ? "<PDataArray " + std::string(kSheetAttributes) + "/>\n" : "") +
-      "</PPointData>\n" + index.cell_data + "<PPoints>\n<PDataArray " +
-      points_attributes(index.scalar) + "/>\n</PPoints>\n";
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" " +
+                     kVtkXmlAttributes + ">\n<" + type + " GhostLevel=\"0\">\n" +
+                     (index.point_data.empty() ? point_data(index.has_sheets) : index.point_data) +
+                     index.cell_data + "<PPoints>\n<PDataArray " + points_attributes(index.scalar) +
+                     "/>\n</PPoints>\n";
   for (const std::string& piece : index.pieces) {
     text += "<Piece Source=\"" + escape_xml(piece) + "\"/>\n";
   }

@@ -60,6 +60,24 @@ TEST(DiskEstimate, IsAboveWhatIsTakenAndNotThreeTimesAsMuch) {
   EXPECT_LE(estimate.outputs, 3 * outputs);
 }
 
+TEST(DiskEstimate, CountsTheMedialAxis) {
+  const TestFolder folder;
+  write_cloud(folder);
+  RunOptions options = options_in(folder);
+  options.surface = SurfaceKind::kNone;
+  options.tetrahedra = "";
+  const DiskEstimate without = estimate_disk(kPoints, options);
+  options.medial_axis = folder / "m.pvtp";
+  options.medial_axis_side = PoleSide::kBoth;
+  const DiskEstimate estimate = estimate_disk(kPoints, options);
+  EXPECT_GT(estimate.scratch, without.scratch);
+  const Report report = reconstruct(options);
+  EXPECT_GE(estimate.scratch, report.scratch_peak_bytes);
+  EXPECT_LE(estimate.scratch, 3 * report.scratch_peak_bytes);
+  EXPECT_GE(estimate.outputs, bytes_in(folder / "m"));
+  EXPECT_LE(estimate.outputs, 3 * bytes_in(folder / "m"));
+}
+
 TEST(DiskEstimate, CountsOnlyWhatIsMade) {
   RunOptions options;
   options.surface = SurfaceKind::kNone;

@@ -28,10 +28,11 @@ std::string write_cloud(const TestFolder& folder) {
 struct Outputs {
   std::string surface;
   std::string tetrahedra;
+  std::string axis{};
 };
 
 void PrintTo(const Outputs& outputs, std::ostream* out) {
-  *out << outputs.surface << " " << outputs.tetrahedra;
+  *out << outputs.surface << " " << outputs.tetrahedra << " " << outputs.axis;
 }
 
 RunOptions options_for(const std::string& cloud, const Outputs& outputs, const TestFolder& folder) {
@@ -40,6 +41,7 @@ RunOptions options_for(const std::string& cloud, const Outputs& outputs, const T
   if (outputs.surface.empty()) options.surface = SurfaceKind::kNone;
   if (!outputs.surface.empty()) options.output = folder / outputs.surface;
   if (!outputs.tetrahedra.empty()) options.tetrahedra = folder / outputs.tetrahedra;
+  if (!outputs.axis.empty()) options.medial_axis = folder / outputs.axis;
   options.chunk_points = 80;
   options.window_points = 96;
   options.threads = 1;
@@ -130,7 +132,8 @@ INSTANTIATE_TEST_SUITE_P(Outputs, Faults,
                          testing::Values(Outputs{"out.pvtp", ""}, Outputs{"out.ply", ""},
                                          Outputs{"out.vtk", ""}, Outputs{"", "t.pvtu"},
                                          Outputs{"out.pvtp", "t.pvtu"},
-                                         Outputs{"out.ply", "t.pvtu"}));
+                                         Outputs{"out.ply", "t.pvtu"}, Outputs{"", "", "m.pvtp"},
+                                         Outputs{"out.pvtp", "t.pvtu", "m.pvtp"}));
 
 }  // namespace
 }  // namespace stream_recon

@@ -89,9 +89,9 @@ class Restart : public testing::Test {
 
   std::string result() const {
     std::string all;
-    for (const std::string name : {"out.pvtp", "out-t.pvtu", "out-u.ply"})
+    for (const std::string name : {"out.pvtp", "out-t.pvtu", "out-u.ply", "out-m.pvtp"})
       all += file_bytes(folder_ / name);
-    for (const std::string name : {"out", "out-t"}) {
+    for (const std::string name : {"out", "out-t", "out-m"}) {
       for (const std::string& chunk : list_folder(folder_ / name)) {
         all += chunk + file_bytes(folder_ / name + "/" + chunk);
       }
@@ -100,15 +100,15 @@ class Restart : public testing::Test {
   }
 
   void remove_result() const {
-    for (const char* name : {"out.pvtp", "out-t.pvtu", "out-u.ply"})
+    for (const char* name : {"out.pvtp", "out-t.pvtu", "out-u.ply", "out-m.pvtp"})
       remove_file((folder_ / name).c_str());
-    for (const char* name : {"out", "out-t"}) remove_folder((folder_ / name).c_str());
+    for (const char* name : {"out", "out-t", "out-m"}) remove_folder((folder_ / name).c_str());
   }
 
   /// An index may stand there only with a complete result.
   void expect_no_half_result() const {
-    for (const std::string name : {"out", "out-t"}) {
-      const std::string index = folder_ / name + (name == "out" ? ".pvtp" : ".pvtu");
+    for (const std::string name : {"out", "out-t", "out-m"}) {
+      const std::string index = folder_ / name + (name == "out-t" ? ".pvtu" : ".pvtp");
       EXPECT_TRUE(!path_exists(index) || path_exists(folder_ / name)) << name;
     }
   }
@@ -240,6 +240,7 @@ RunOptions options_in(const TestFolder& folder) {
   options.output = folder / "out.pvtp";
   options.tetrahedra = folder / "out-t.pvtu";
   options.unused = folder / "out-u.ply";
+  options.medial_axis = folder / "out-m.pvtp";
   options.chunk_points = 500;
   options.resume = true;
   return options;
@@ -265,9 +266,11 @@ TEST_F(Restart, WithOtherOptionsOrInputIsRefusedAndLeavesWhatWasDone) {
   options.open_ratio = 4;
   EXPECT_THAT(refusal<std::invalid_argument>(options), HasSubstr("--open: nothing then, 4 now"));
   options = options_in(folder_);
-  options.surface = SurfaceKind::kAlpha;
-  options.alpha = 1;
-  EXPECT_THAT(refusal<std::invalid_argument>(options), HasSubstr("cannot resume"));
+  options.manifold = true;
+  EXPECT_THAT(refusal<std::invalid_argument>(options), HasSubstr("cannot resume: --manifold"));
+  options = options_in(folder_);
+  options.medial_axis_side = PoleSide::kBoth;
+  EXPECT_THAT(refusal<std::invalid_argument>(options), HasSubstr("--medial-axis-side: inner then"));
   options = options_in(folder_);
   options.grid_spacing = {1, 1, 2};
   EXPECT_THAT(refusal<std::invalid_argument>(options), HasSubstr("--spacing: nothing then"));
@@ -289,6 +292,9 @@ TEST_F(Restart, KnowsEachOptionThatASolidDependsOn) {
   EXPECT_EQ(difference(closed, open), "--open: nothing then, 5 now");
   EXPECT_EQ(difference(open, identity_of(options)), "--spacing: nothing then, 1,1,2.5 now");
   options.unused.clear();
+  EXPECT_FALSE(have_same_outputs(open, identity_of(options)));
+  options = options_in(folder_);
+  options.medial_axis.clear();
   EXPECT_FALSE(have_same_outputs(open, identity_of(options)));
 }
 
@@ -318,6 +324,7 @@ RunOptions options_without_files(const TestFolder& folder) {
   options.surface = SurfaceKind::kNone;
   options.tetrahedra.clear();
   options.unused.clear();
+  options.medial_axis.clear();
   options.scratch = folder.path();
   return options;
 }

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   options.output = arguments[4] + ".pvtp";
   options.tetrahedra = arguments[4] + "-t.pvtu";
   options.unused = arguments[4] + "-u.ply";
+  options.medial_axis = arguments[4] + "-m.pvtp";
   options.chunk_points = 500;
   options.window_points = std::stoull(arguments[5]);
   options.threads = static_cast<unsigned>(std::stoul(arguments[6]));

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/reconstruct.h"
@@ -29,7 +30,6 @@ struct CommandLine {
   std::string surface = "solid";
   std::string report;
   std::string html;
-  std::string medial_axis;
   std::vector<std::string> words;  ///< all of them, as typed
 };
 
@@ -66,6 +66,21 @@ void add_spacing(CLI::App& app, std::optional<std::array<double, 3>>& spacing) {
       ->option_text("S");
 }
 
+void add_medial_axis_options(CLI::App& app, RunOptions& run) {
+  std::map<std::string, PoleSide> sides;
+  for (const char* name : kPoleSideNames) {
+    sides.emplace(name, static_cast<PoleSide>(sides.size()));
+  }
+  app.add_option("--medial-axis", run.medial_axis,
+                 "solid, none: also the medial axis, balls that touch the samples from within: "
+                 "OUT.pvtp with a folder of chunks")
+      ->option_text("OUT");
+  app.add_option("--medial-axis-side", run.medial_axis_side,
+                 "Which balls: inner (default), outer or both")
+      ->transform(CLI::CheckedTransformer(sides))
+      ->option_text("SIDE");
+}
+
 void add_surface_options(CLI::App& app, CommandLine& line) {
   app.add_option(
          "-o,--output", line.run.output,
@@ -93,8 +108,7 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
   app.add_option("--tetrahedra", line.run.tetrahedra,
                  "Also the Delaunay tetrahedra: OUT.pvtu with a folder of chunks")
       ->option_text("OUT");
-  app.add_option("--medial-axis", line.medial_axis, "Not yet: the medial axis as OUT.pvtp")
-      ->option_text("OUT");
+  add_medial_axis_options(app, line.run);
 }
 
 /// An option whose value is a size in bytes.
@@ -155,7 +169,6 @@ void refuse_what_is_not_yet(const CommandLine& line) {
       line.surface != "none") {
     refuse("--surface " + line.surface, "use solid, gamma, alpha or none");
   }
-  if (!line.medial_axis.empty()) refuse("--medial-axis", "leave it out");
 }
 
 void check_combinations(const CLI::App& app, const CommandLine& line) {
@@ -166,12 +179,16 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
           "--alpha is for --surface alpha; add that or leave --alpha out");
   require(line.surface == "gamma" || app.count("--delta-max") == 0,
           "--delta-max is for --surface gamma; leave it out");
+  const bool has_axis = !line.run.medial_axis.empty();
   for (const char* option : {"--open", "--spacing"}) {
-    if (line.surface != "solid" && app.count(option) != 0) {
+    const bool is_axis_too = has_axis && std::string_view(option) == "--spacing";
+    if (line.surface != "solid" && !is_axis_too && app.count(option) != 0) {
       throw std::invalid_argument(
           fmt::format("{0} is for --surface solid; add that or leave {0} out", option));
     }
   }
+  require(has_axis || app.count("--medial-axis-side") == 0,
+          "--medial-axis-side is for --medial-axis; add that or leave --medial-axis-side out");
   require(
       line.run.unused.empty() || (line.run.unused != line.report && line.run.unused != line.html),
       "--unused names the file of --report or --html; give it another name");
@@ -196,8 +213,8 @@ void write_html(const CommandLine& line, const Report& report) {
                      .note = {},
                      .pictures = {}};
   const bool has_surface = line.run.surface != SurfaceKind::kNone;
-  for (const std::string& output :
-       {has_surface ? line.run.output : "", line.run.tetrahedra, line.run.unused}) {
+  for (const std::string& output : {has_surface ? line.run.output : "", line.run.tetrahedra,
+                                    line.run.unused, line.run.medial_axis}) {
     if (!output.empty()) page.outputs.push_back(output == "-" ? "standard output" : output);
   }
   if (line.run.resume) {

@@ -11,6 +11,7 @@
 #include "engine/labels/signed_forest.h"
 #include "engine/labels/window_evidence.h"
 #include "engine/node_set.h"
+#include "engine/poles/pole_export.h"
 #include "engine/poles/ranked_cell.h"
 #include "engine/poles/star_balls.h"
 #include "engine/surface/ranked_facet.h"
@@ -24,12 +25,6 @@ namespace {
 /// Whether other windows may have evidence about a finite cell.
 bool is_shared(const FinalWindow& window, const std::array<VertexId, 4>& v) {
   return !window.owns_vertex(std::max(std::max(v[0], v[1]), std::max(v[2], v[3])));
-}
-
-NodeKey key_of(const RankedCell& cell) {
-  NodeKey key;
-  for (int i = 0; i < 4; ++i) key.ranks[i] = static_cast<std::uint32_t>(cell.ranks[i]);
-  return key;
 }
 
 class Collection {
@@ -58,7 +53,12 @@ class Collection {
       }
     };
     nodes_.for_each(prepare, [this](CellId cell) { export_facets(cell); });
-    for (VertexId v = 0; v < window_.owned_count(); ++v) export_poles(v);
+    for (VertexId v = 0; v < window_.owned_count(); ++v) export_pole_pair(v);
+  }
+
+  void export_balls_of_poles() {
+    export_poles(
+        window_, evidence_.poles(), [this](CellId cell) { return attachment(cell); }, out_);
   }
 
  private:
@@ -92,7 +92,7 @@ class Collection {
     keys.reserve(border_.count());
     std::uint32_t number = 0;
     nodes_.for_each([&](CellId cell) {
-      if (border_.contains(number++)) keys.push_back(key_of(RankedCell(window_, cells_, cell)));
+      if (border_.contains(number++)) keys.push_back(RankedCell(window_, cells_, cell).key());
     });
     keys.push_back(kInfiniteNode);
     export_evidence({window_.first_rank(), border_, keys}, contraction_, out_);
@@ -134,7 +134,7 @@ class Collection {
   }
 
   /// Unless they are known to lie on opposite sides.
-  void export_poles(VertexId v) {
+  void export_pole_pair(VertexId v) {
     const PolePair pair = evidence_.poles().pair(v);
     if (!pair.is_complete()) return;
     const bool is_hull = pair.first == PolePair::kInfinity;
@@ -172,6 +172,7 @@ void EvidenceCollector::consume(const FinalWindow& window, ExportWriter& out) {
   Collection collection(window, balls, std::move(spacing), out);
   balls.drop_centres();
   collection.run(stop_);
+  if (hands_on_poles_) collection.export_balls_of_poles();
 }
 
 // The forest comes when the centres are gone, what is exported when the entries are.
@@ -194,9 +195,11 @@ std::uint64_t EvidenceCollector::memory(const FinalWindow& window) const {
   const std::uint64_t contracting = entries + forest + edges;
   const std::uint64_t exporting =
       poles + forest + edges + border * sizeof(NodeKey) + evidence_export_memory(border);
+  const std::uint64_t balls =
+      hands_on_poles_ ? poles + forest + pole_export_memory(window.owned_count()) : 0;
   return SpacingReader::kMemory + window.delaunay().vertex_count() * sizeof(float) +
          NodeSet::memory(cells.slots()) + NodeSet::memory(with_owned + 1) +
-         std::max(evidence, std::max(contracting, exporting));
+         std::max({evidence, contracting, exporting, balls});
 }
 
 }  // namespace stream_recon

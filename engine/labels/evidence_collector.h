@@ -3,9 +3,9 @@
 //
 // Exports of a window, under its first rank as chunk: its border nodes, the contracted edges
 // between them, and the facets and pole pairs whose two cells are not known to lie on the same side
-// (facets) or on opposite sides (poles).
+// (facets) or on opposite sides (poles); where asked for, all poles with their balls.
 // Thread rule: consume() from many threads at once, each with its own window. Memory: memory(),
-// about 330 bytes an owned point. Cost: about 8 us an owned point.
+// about 330 bytes an owned point. Cost: about 8 us an owned point, 1 more with poles.
 #pragma once
 
 #include "engine/interrupt.h"
@@ -19,9 +19,9 @@ class EvidenceCollector : public WindowConsumer {
   /// For the plan of the windows, bytes.
   static constexpr std::uint64_t kBytesAnOwnedPoint = 330;
 
-  /// \pre Both outlive the collector.
-  EvidenceCollector(SpacingCache& spacings, const StopRequest& stop)
-      : spacings_(spacings), stop_(stop) {}
+  /// \param hands_on_poles for poles/pole_stage.h \pre Both others outlive the collector.
+  EvidenceCollector(SpacingCache& spacings, const StopRequest& stop, bool hands_on_poles)
+      : spacings_(spacings), stop_(stop), hands_on_poles_(hands_on_poles) {}
 
   /// \pre Whole stars are final; fewer than 2^32 - 1 points.
   void consume(const FinalWindow& window, ExportWriter& out) override;
@@ -30,6 +30,7 @@ class EvidenceCollector : public WindowConsumer {
  private:
   SpacingCache& spacings_;
   const StopRequest& stop_;
+  bool hands_on_poles_;
 };
 
 }  // namespace stream_recon

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <utility>
 
+#include "engine/labels/evidence_records.h"
 #include "engine/windows/final_window.h"
 #include "spatial/cell_view.h"
 #include "spatial/point.h"
@@ -25,6 +27,13 @@ struct RankedCell {
     order(0, 2);
     order(1, 3);
     order(1, 2);
+  }
+
+  /// \pre Ranks have 32 bits.
+  NodeKey key() const {
+    NodeKey key;
+    for (int i = 0; i < 4; ++i) key.ranks[i] = static_cast<std::uint32_t>(ranks[i]);
+    return key;
   }
 
   std::array<Point3, 4> corners(const CellView& cells) const {

@@ -134,7 +134,8 @@ class RunOpener {
   }
 
   void remove_left_outputs(const std::string& scratch_path) const {
-    for (const std::string& output : {options_.output, options_.tetrahedra, options_.unused}) {
+    for (const std::string& output :
+         {options_.output, options_.tetrahedra, options_.unused, options_.medial_axis}) {
       if (output.empty() || output == "-") continue;
       remove_left_beside(output, scratch_path);
       if (!output.ends_with(".pvtp") && !output.ends_with(".pvtu")) continue;

@@ -17,6 +17,8 @@
 namespace stream_recon {
 namespace {
 
+constexpr std::array kOutputs{"output", "--tetrahedra", "--unused", "--medial-axis"};
+
 constexpr std::uint64_t kSample = std::uint64_t{64} << 10;
 
 std::string absolute_path(const std::string& path) {
@@ -62,6 +64,7 @@ RunIdentity identity_of(const RunOptions& options) {
       {"output", options.surface == SurfaceKind::kNone ? "" : absolute_path(options.output)},
       {"--tetrahedra", absolute_path(options.tetrahedra)},
       {"--unused", absolute_path(options.unused)},
+      {"--medial-axis", absolute_path(options.medial_axis)},
       {"--surface", kind_name(options.surface)},
       {"--chunk-points", fmt::format("{}", options.chunk_points)},
       {"--input-format", kInputFormatNames.at(static_cast<std::size_t>(options.input_format))}};
@@ -71,11 +74,15 @@ RunIdentity identity_of(const RunOptions& options) {
   if (options.surface == SurfaceKind::kAlpha) {
     identity["--alpha"] = fmt::format("{}", options.alpha);
   }
-  if (options.surface == SurfaceKind::kSolid) {
-    if (options.open_ratio) identity["--open"] = fmt::format("{}", *options.open_ratio);
-    if (options.grid_spacing) {
-      identity["--spacing"] = fmt::format("{}", fmt::join(*options.grid_spacing, ","));
-    }
+  if (options.surface == SurfaceKind::kSolid && options.open_ratio) {
+    identity["--open"] = fmt::format("{}", *options.open_ratio);
+  }
+  if (options.needs_labels() && options.grid_spacing) {
+    identity["--spacing"] = fmt::format("{}", fmt::join(*options.grid_spacing, ","));
+  }
+  if (!options.medial_axis.empty()) {
+    identity["--medial-axis-side"] =
+        kPoleSideNames.at(static_cast<std::size_t>(options.medial_axis_side));
   }
   if (options.manifold) identity["--manifold"] = "given";
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
@@ -85,13 +92,14 @@ RunIdentity identity_of(const RunOptions& options) {
 }
 
 bool writes_files(const RunIdentity& identity) {
-  const std::string output = value_of(identity, "output");
-  return (!output.empty() && output != "-") || !value_of(identity, "--tetrahedra").empty() ||
-         !value_of(identity, "--unused").empty();
+  return std::any_of(kOutputs.begin(), kOutputs.end(), [&](const char* key) {
+    const std::string output = value_of(identity, key);
+    return !output.empty() && output != "-";
+  });
 }
 
 bool have_same_outputs(const RunIdentity& a, const RunIdentity& b) {
-  for (const char* key : {"output", "--tetrahedra", "--unused"}) {
+  for (const char* key : kOutputs) {
     if (value_of(a, key) != value_of(b, key)) return false;
   }
   return writes_files(a) || value_of(a, "input 1") == value_of(b, "input 1");

@@ -23,8 +23,10 @@ enum class ExportKind : std::uint32_t {
   kEvidenceNodes,
   kEvidenceEdges,
   kCandidates,
+  kPoleNames,
+  kPoleBalls,
 };
-inline constexpr std::size_t kExportKinds = 8;
+inline constexpr std::size_t kExportKinds = 10;
 
 /// A record of any kind; shorter ones are filled with zeros.
 using ExportRecord = std::array<std::byte, 32>;

@@ -67,6 +67,20 @@ std::string input_figures(const Report& report) {
       .section("Input and Delaunay structure");
 }
 
+/// Empty where the run needed no poles.
+std::string pole_figures(const Report& report) {
+  if (!report.poles) return "";
+  const PoleReport& poles = *report.poles;
+  return Figures()
+      .add("balls", count(poles.count))
+      .add("inside", count(poles.inner))
+      .add("outside", count(poles.outer))
+      .add("tetrahedra of a ball that others have", count(poles.coincident))
+      .add("samples with a pole at infinity", count(poles.unbounded))
+      .add("balls on both sides", count(poles.conflicts))
+      .section("Poles");
+}
+
 std::string window_figures(const Report& report) {
   const auto& windows = report.windows;
   return Figures()
@@ -99,10 +113,11 @@ bool has_surface(const Report& report) {
 
 std::string run_figures(const Report& report) {
   if (!has_surface(report)) {
-    return pair(input_figures(report), resource_figures(report)) + window_figures(report);
+    return pair(input_figures(report), resource_figures(report)) + window_figures(report) +
+           pole_figures(report);
   }
   return pair(surface_figures(report), input_figures(report)) +
-         pair(window_figures(report), resource_figures(report));
+         pair(window_figures(report), resource_figures(report)) + pole_figures(report);
 }
 
 }  // namespace stream_recon::html
