@@ -36,7 +36,7 @@ class NodeSet {
     count_ = 0;
     for (Word& word : words_) {
       word.before = count_;
-      count_ += static_cast<std::uint32_t>(std::popcount(word.bits));
+      count_ += count_bits(word.bits);
     }
   }
 
@@ -81,7 +81,7 @@ class NodeSet {
     assert(node < size_);
     const Word& word = words_[node / kBits];
     const std::uint64_t below = (std::uint64_t{1} << node % kBits) - 1;
-    return word.before + static_cast<std::uint32_t>(std::popcount(word.bits & below));
+    return word.before + count_bits(word.bits & below);
   }
 
  private:
@@ -92,6 +92,14 @@ class NodeSet {
     std::uint64_t bits = 0;
     std::uint32_t before = 0;  ///< how many of those in earlier words are in the set
   };
+
+  /// As std::popcount, which is a call where the machine need not have an instruction for it.
+  static constexpr std::uint32_t count_bits(std::uint64_t bits) {
+    bits -= bits >> 1 & 0x5555555555555555;
+    bits = (bits & 0x3333333333333333) + (bits >> 2 & 0x3333333333333333);
+    bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0f;
+    return static_cast<std::uint32_t>(bits * 0x0101010101010101 >> 56);
+  }
 
   static constexpr std::uint64_t words_for(std::uint64_t nodes) {
     return (nodes + kBits - 1) / kBits;

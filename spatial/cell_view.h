@@ -55,8 +55,9 @@ class BasicCellView {
   bool is_unscaled() const { return parts_.scale == 1; }
   /// The corners of a cell are asked for soon.
   void prefetch_points(CellId c) const {
-    for (int i = 0; i < 4; ++i) __builtin_prefetch(&stored_point(vertex(c, i)));
+    for (int i = 0; i < 4; ++i) prefetch_point(vertex(c, i));
   }
+  void prefetch_point(VertexId v) const { __builtin_prefetch(&stored_point(v)); }
   /// The point as stored: multiplied by the scale.
   const Site& stored_point(VertexId v) const { return parts_.points[v + 1]; }
   Site point(VertexId v) const { return scaled(stored_point(v), unscale_); }

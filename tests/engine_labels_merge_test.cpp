@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "engine/labels/forest_merge.h"
+#include "engine/labels/join_plan.h"
 #include "engine/labels/part_join.h"
+#include "engine/parallel.h"
 #include "io/error.h"
 #include "tests/engine_fixture.h"
 #include "tests/evidence_graphs.h"
@@ -144,6 +146,65 @@ TEST(ForestMerge, IsTheSameForEveryCutOfOneGraph) {
     StageFixture stage(budget_for(3));
     const Exported exported(graph, random_cuts(graph.ranks, windows, random), stage);
     exported.expect_labels(exported.merge());
+  }
+}
+
+TEST(ForestMerge, IsTheSameOnAnyNumberOfThreads) {
+  std::mt19937_64 random(12);
+  const EvidenceGraph graph = random_graph({.edges = 4000, .weights = 2}, random);
+  const auto cuts = random_cuts(graph.ranks, 24, random);
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    for (const std::uint64_t memory : {kUnlimited, budget_for(9)}) {
+      SCOPED_TRACE(testing::Message() << threads << " threads, " << memory << " bytes");
+      const ThreadLimit limit(threads);
+      StageFixture stage(memory);
+      const Exported exported(graph, cuts, stage);
+      const MergedForest forest = exported.merge();
+      exported.expect_labels(forest);
+      EXPECT_EQ(forest.counts.nodes, exported.border().size());
+      if (memory == kUnlimited) {
+        EXPECT_EQ(forest.counts.levels > 1, threads_in_use() > 1);
+      }
+      EXPECT_LE(stage.budget.peak(), stage.budget.limit());
+    }
+  }
+}
+
+TEST(JoinPlan, SharesPartsOutEvenlyWithinTheMemory) {
+  std::mt19937_64 random(13);
+  for (int round = 0; round < 500; ++round) {
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    std::vector<EvidencePart> parts(1 + random() % 40);
+    std::uint64_t nodes = 0;
+    std::uint64_t largest = 0;
+    for (EvidencePart& part : parts) {
+      part.nodes = random() % 100000;
+      nodes += part.nodes;
+      largest = std::max(largest, part.nodes);
+    }
+    const bool is_ample = round % 2 == 0;
+    const JoinResources resources{
+        .memory_bytes = is_ample ? kUnlimited / 2 : join_memory({2 + random() % 20, 300000}),
+        .threads = 1 + random() % 6};
+    const JoinPlan plan = plan_joins(parts, resources);
+    EXPECT_LE(plan.at_once, resources.threads);
+    if (plan.at_once > 1) {
+      EXPECT_LE(plan.ends.size(), parts.size() / 2);
+    }
+    std::size_t begin = 0;
+    for (const std::size_t end : plan.ends) {
+      ASSERT_LT(begin, end);
+      JoinSize size;
+      for (; begin < end; ++begin) size.add(parts[begin]);
+      if (size.parts > 1) {
+        EXPECT_LE(join_memory(size) * plan.at_once, resources.memory_bytes);
+      }
+      EXPECT_LE(size.nodes, nodes / plan.at_once + largest + 1);
+    }
+    EXPECT_EQ(begin, parts.size());
+    if (is_ample) {
+      EXPECT_EQ(plan.at_once, std::clamp<std::size_t>(parts.size() / 2, 1, resources.threads));
+    }
   }
 }
 

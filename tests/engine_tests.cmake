@@ -8,7 +8,7 @@ stream_recon_test(engine_test PARALLEL
     engine_tetrahedra_test.cpp engine_window_parts_test.cpp engine_windows_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 
-stream_recon_test(engine_labels_forest_test
+stream_recon_test(engine_labels_forest_test PARALLEL
   SOURCES engine_labels_forest_test.cpp engine_labels_merge_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,8 +53,10 @@ class Collection {
         const CellId beyond = cells_.neighbor(cell, side);
         if (beyond > cell) __builtin_prefetch(&attachment(beyond));
       }
+      cells_.prefetch_points(cell);
     };
-    nodes_.for_each(prepare, [this](CellId cell) { export_facets(cell); });
+    nodes_.for_each(prepare, [this](CellId cell) { find_open_facets(cell); });
+    export_open_facets();
     for (VertexId v = 0; v < window_.owned_count(); ++v) export_pole_pair(v);
   }
 
@@ -100,14 +104,17 @@ class Collection {
   }
 
   /// Those that the window emits and whose two cells are not known to lie on the same side.
-  void export_facets(CellId cell) {
+  void find_open_facets(CellId cell) {
     const Attachment inner = attachment(cell);
     for (int side = 0; side < 4; ++side) {
       const CellId beyond = cells_.neighbor(cell, side);
       if (beyond < cell && nodes_.contains(beyond)) continue;
       if (!emits(window_, cells_.facet(cell, side))) continue;
       const Attachment outer = attachment(beyond);
-      if (inner != outer) export_facet({cell, side, inner, outer});
+      if (inner == outer) continue;
+      cells_.prefetch(beyond);
+      open_[open_count_++] = {cell, side, inner, outer};
+      if (open_count_ == open_.size()) export_open_facets();
     }
   }
 
@@ -117,6 +124,18 @@ class Collection {
     Attachment inner;  ///< of the cell
     Attachment outer;
   };
+
+  // The cells beyond lie anywhere in memory, so do their points: first all are asked for.
+  void export_open_facets() {
+    const std::span<const OpenFacet> facets = std::span(open_).first(open_count_);
+    for (const OpenFacet& open : facets) {
+      const CellId beyond = cells_.neighbor(open.cell, open.side);
+      if (!nodes_.contains(beyond)) continue;
+      cells_.prefetch_point(cells_.vertex(beyond, cells_.mirror_index(open.cell, open.side)));
+    }
+    for (const OpenFacet& open : facets) export_facet(open);
+    open_count_ = 0;
+  }
 
   void export_facet(const OpenFacet& open) {
     const RankedFacet facet(window_, cells_.facet(open.cell, open.side));
@@ -157,6 +176,8 @@ class Collection {
   WindowEvidence evidence_;
   const NodeSet border_ = find_border();
   Contraction contraction_;
+  std::array<OpenFacet, 32> open_;  ///< not exported yet
+  std::size_t open_count_ = 0;
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ void export_evidence(const WindowBorder& border, Contraction& contraction, Expor
 
 /// Bytes, beside what is handed over.
 constexpr std::uint64_t evidence_export_memory(std::uint64_t border_nodes) {
-  return border_nodes * 2 * sizeof(std::uint32_t);
+  return border_nodes * (sizeof(std::uint64_t) + sizeof(std::uint32_t));
 }
 
 }  // namespace stream_recon

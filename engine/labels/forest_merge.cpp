@@ -7,9 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "engine/chunks/chunk_loop.h"
 #include "engine/labels/join_plan.h"
 #include "engine/labels/label_descent.h"
 #include "engine/labels/part_join.h"
+#include "engine/parallel.h"
 
 namespace stream_recon {
 namespace {
@@ -80,8 +82,8 @@ class ForestMerge {
 
 void ForestMerge::join_level() {
   const std::span<const EvidencePart> parts = levels_.back().parts;
-  auto ends = plan_joins(parts, context_.budget.available());
-  if (parts.size() > 1 && ends.size() == parts.size()) {
+  JoinPlan plan = plan_joins(parts, {context_.budget.available(), threads_in_use()});
+  if (parts.size() > 1 && plan.ends.size() == parts.size()) {
     // Does not fit, and says by how much.
     (void)context_.budget.reserve(least_join_memory(parts),
                                   "joining the evidence of two neighbouring windows");
@@ -91,17 +93,21 @@ void ForestMerge::join_level() {
   for (const EvidencePart& part : parts) records += part.nodes + part.edges;
   context_.progress.begin_stage("evidence, level " + number, records, "records");
   ForestLevel joined;
-  std::size_t begin = 0;
-  for (const std::size_t end : ends) {
-    const auto group = parts.subspan(begin, end - begin);
+  const auto join = [&](std::uint64_t i) {
+    const std::size_t begin = i == 0 ? 0 : plan.ends[i - 1];
+    const auto group = parts.subspan(begin, plan.ends[i] - begin);
     const std::string name = "evidence_" + number + "_" + std::to_string(group[0].first_rank);
     JoinedParts result = join_parts(source_, group, name, context_);
     remove_files(group);
+    return result;
+  };
+  const auto take = [&](std::uint64_t, JoinedParts result) {
     counts_.nodes += result.contracted;
     joined.parts.push_back(std::move(result.part));
-    begin = end;
-  }
-  joined.ends = std::move(ends);
+  };
+  for_each_chunk({.chunks = plan.ends.size(), .at_once = plan.at_once, .takes_in_order = true},
+                 join, take);
+  joined.ends = std::move(plan.ends);
   levels_.push_back(std::move(joined));
   context_.progress.end_stage();
 }

@@ -3,11 +3,12 @@
 //
 // Guarantees: labels are those of the signed maximum spanning forest of all evidence, however the
 // cloud was cut into windows and whatever the memory (proof: docs/algorithms/labels.md).
-// Consecutive windows are joined in groups as large as the memory holds, those groups again, until
-// one is the whole; from there labels go down. Thread rule: made by one thread; then const access
-// from many. Memory: all that two neighbours need, at most all there is: 8.25 bytes a border node
-// of those joined and 0.7 MB each; afterwards 40 bytes a window. Scratch: at most two levels of
-// joined parts, and 4 bytes a node of every table.
+// Consecutive windows are joined in groups, a thread each or as large as the memory holds, those
+// groups again, until one is the whole; from there labels go down. Thread rule: one caller; joins
+// on all threads that the memory allows; then const access from many. Memory: all that two
+// neighbours need, at most all there is: 8.25 bytes a border node of those joined and 0.7 MB each;
+// afterwards 40 bytes a window. Scratch: at most two levels of joined parts, and 4 bytes a node of
+// every table.
 #pragma once
 
 #include <cstdint>

@@ -2,27 +2,54 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "engine/labels/attachment.h"
 #include "engine/labels/part_join.h"
 
 namespace stream_recon {
 
-std::vector<std::size_t> plan_joins(std::span<const EvidencePart> parts,
-                                    std::uint64_t memory_bytes) {
+namespace {
+
+bool fits(const JoinSize& size, std::uint64_t memory_bytes) {
+  return join_memory(size) <= memory_bytes && size.nodes <= Attachment::kMostNodes;
+}
+
+/// Into `shares` groups of about as many nodes, or more if `memory_bytes` do not hold those.
+std::vector<std::size_t> share_out(std::span<const EvidencePart> parts, std::uint64_t shares,
+                                   std::uint64_t memory_bytes) {
+  std::uint64_t nodes = 0;
+  for (const EvidencePart& part : parts) nodes += part.nodes;
   std::vector<std::size_t> ends;
-  for (std::size_t end = 0; end < parts.size();) {
-    JoinSize size;
-    do {
-      size.add(parts[end++]);
-      if (end == parts.size()) break;
-      JoinSize larger = size;
-      larger.add(parts[end]);
-      if (join_memory(larger) > memory_bytes || larger.nodes > Attachment::kMostNodes) break;
-    } while (true);
-    ends.push_back(end);
+  JoinSize group;
+  std::uint64_t before = 0;
+  std::uint64_t last_share = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    // Where its middle lies.
+    const std::uint64_t share = (2 * before + parts[i].nodes) * shares / (2 * nodes + 1);
+    JoinSize larger = group;
+    larger.add(parts[i]);
+    if (i != 0 && (share != last_share || !fits(larger, memory_bytes))) {
+      ends.push_back(i);
+      group = {};
+    }
+    group.add(parts[i]);
+    before += parts[i].nodes;
+    last_share = share;
   }
+  ends.push_back(parts.size());
   return ends;
+}
+
+}  // namespace
+
+JoinPlan plan_joins(std::span<const EvidencePart> parts, const JoinResources& resources) {
+  const std::uint64_t most = parts.size() / 2;
+  for (std::uint64_t n = std::min(resources.threads, most); n > 1; --n) {
+    auto ends = share_out(parts, n, resources.memory_bytes / n);
+    if (ends.size() <= most) return {std::move(ends), n};
+  }
+  return {share_out(parts, 1, resources.memory_bytes), 1};
 }
 
 std::uint64_t least_join_memory(std::span<const EvidencePart> parts) {

@@ -1,6 +1,7 @@
 #include "engine/labels/part_join.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -20,6 +21,8 @@ namespace {
 constexpr std::size_t kBatchBytes = std::size_t{32} << 10;
 /// Records between two looks at the stop request.
 constexpr std::uint64_t kStretch = 1 << 13;
+/// Edges that are looked up together.
+constexpr std::size_t kBlock = 32;
 
 struct ComesBefore {
   bool operator()(const EvidenceEdge& x, const EvidenceEdge& y) const { return comes_before(x, y); }
@@ -77,7 +80,12 @@ class PartJoin {
   NodeSet join_nodes();
   std::vector<Attachment> join_edges(const NodeSet& border);
   void write_attachments(const NodeSet& border, const std::vector<Attachment>& attachments) const;
-  EvidenceEdge renumbered(const EvidenceEdge& edge, std::size_t part) const;
+  /// Where the numbers of an edge's nodes are.
+  struct Ends {
+    const std::uint32_t* a;
+    const std::uint32_t* b;
+  };
+  Ends ends_of(const EvidenceEdge& edge, std::size_t part) const;
 
   const EvidenceSource& source_;
   std::span<const EvidencePart> parts_;
@@ -122,33 +130,49 @@ NodeSet PartJoin::join_nodes() {
   return border;
 }
 
-EvidenceEdge PartJoin::renumbered(const EvidenceEdge& edge, std::size_t part) const {
+/// \throw IoError there are no such nodes
+PartJoin::Ends PartJoin::ends_of(const EvidenceEdge& edge, std::size_t part) const {
   if (edge.a >= parts_[part].nodes || edge.b >= parts_[part].nodes) fail();
-  EvidenceEdge result = edge;
-  result.a = numbers_[starts_[part] + edge.a];
-  result.b = numbers_[starts_[part] + edge.b];
-  return result;
+  return {&numbers_[starts_[part] + edge.a], &numbers_[starts_[part] + edge.b]};
 }
 
 /// Writes the edges that are left. \return What each of all nodes hangs on
+// In the order of their weights, edges lie anywhere among the nodes. So what a block of them asks
+// for is on its way before the first is taken.
 std::vector<Attachment> PartJoin::join_edges(const NodeSet& border) {
   SignedForest forest(border);
   auto writer = create<EvidenceEdge>(joined_.part.edges_file());
   StreamMerger<EvidenceEdge, EvidenceStream<EvidenceEdge>, ComesBefore> merger(
       open<EvidenceEdge>(), kBatchBytes / sizeof(EvidenceEdge));
+  std::array<EvidenceEdge, kBlock> edges;
+  std::array<Ends, kBlock> ends;
   std::optional<EvidenceEdge> last;
-  EvidenceEdge edge;
-  while (const auto part = merger.next(edge)) {
-    if (!std::isfinite(edge.weight) || edge.weight < 0 || (last && !comes_before(*last, edge))) {
-      fail();
+  for (std::size_t count = kBlock; count == kBlock;) {
+    for (count = 0; count < kBlock; ++count) {
+      EvidenceEdge& edge = edges[count];
+      const auto part = merger.next(edge);
+      if (!part) break;
+      if (!std::isfinite(edge.weight) || edge.weight < 0 || (last && !comes_before(*last, edge))) {
+        fail();
+      }
+      last = edge;
+      ends[count] = ends_of(edge, *part);
+      __builtin_prefetch(ends[count].a);
+      __builtin_prefetch(ends[count].b);
     }
-    last = edge;
-    if (auto left = forest.add(renumbered(edge, *part))) {
-      left->a = border.position(left->a);
-      left->b = border.position(left->b);
-      writer.append(*left);
+    for (std::size_t i = 0; i < count; ++i) {
+      edges[i].a = *ends[i].a;
+      edges[i].b = *ends[i].b;
+      forest.prefetch(edges[i]);
     }
-    advance();
+    for (const EvidenceEdge& edge : std::span(edges).first(count)) {
+      if (auto left = forest.add(edge)) {
+        left->a = border.position(left->a);
+        left->b = border.position(left->b);
+        writer.append(*left);
+      }
+      advance();
+    }
   }
   writer.finish();
   joined_.part.edges = writer.record_count();
