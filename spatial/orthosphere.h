@@ -25,7 +25,7 @@ struct Orthosphere {
 };
 
 struct OrthosphereReach {
-  double reach = 0;       ///< no ball that is asked about has its centre farther from the origin
+  double reach = 0;       ///< no ball that is asked about has its centre farther from a site
   double most_error = 0;  ///< spheres of larger ones are not given; units of the input, squared
   double rounding = 0;    ///< of a site's centre and radius, relative to both together
 };

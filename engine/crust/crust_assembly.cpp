@@ -104,11 +104,12 @@ class CrustAssembly {
   }
 
   StoredPoint stored_point(const CrustVertex& vertex, PointStoreReader& samples) {
-    if (!vertex.name.is_sample()) {
-      return {vertex.point, options_.input_points + facts_.vertices - facts_.samples};
-    }
+    const bool is_sample = vertex.name.is_sample();
+    const std::uint64_t new_index = options_.input_points + facts_.vertices - facts_.samples;
+    if (!is_sample && vertex.is_astray == 0) return {vertex.point, new_index};
     StoredPoint sample;
     samples.read_at(vertex.name.sample, std::span(&sample, 1));
+    if (!is_sample) return {sample.point, new_index};
     ++facts_.samples;
     return sample;
   }

@@ -39,15 +39,18 @@ float ball_angle(const WeightedPoint3& a, const WeightedPoint3& b) {
   return static_cast<float>(std::acos(std::clamp(cosine, -1.0, 1.0)) * (180 / std::numbers::pi));
 }
 
-/// The sample that most of the poles touch; of several the lowest.
-std::uint32_t commonest(std::array<std::uint32_t, 16> samples) {
+/// The sample that most of the poles touch; of several the lowest. Points that are no samples are
+/// taken only if there is nothing else.
+std::uint32_t commonest(std::array<std::uint32_t, 16> samples,
+                        std::span<const std::uint32_t> far_ranks) {
   std::sort(samples.begin(), samples.end());
   std::uint32_t best = samples[0];
   std::size_t most = 0;
   for (std::size_t first = 0; first < samples.size();) {
     std::size_t end = first;
     while (end < samples.size() && samples[end] == samples[first]) ++end;
-    if (end - first > most) {
+    const bool is_far = std::binary_search(far_ranks.begin(), far_ranks.end(), samples[first]);
+    if (!is_far && end - first > most) {
       most = end - first;
       best = samples[first];
     }
@@ -58,8 +61,8 @@ std::uint32_t commonest(std::array<std::uint32_t, 16> samples) {
 
 class CrustExtraction {
  public:
-  CrustExtraction(const PowerWindow& power, std::uint32_t window)
-      : window_(window),
+  CrustExtraction(const PowerWindow& power, const CrustFacesOptions& options)
+      : options_(options),
         poles_(power.poles()),
         samples_(power.samples().view()),
         cells_(power.triangulation().view()),
@@ -170,9 +173,21 @@ class CrustExtraction {
       std::copy(poles_[v[i]].name.ranks.begin(), poles_[v[i]].name.ranks.end(), &touched[4 * i]);
       sites[i] = cells_.point(v[i]);
     }
-    vertex.name.sample = commonest(touched);
+    vertex.name.sample = commonest(touched, options_.far_ranks);
     vertex.point = orthocentre(sites);
+    vertex.is_astray = is_astray(vertex.point, sites) ? 1 : 0;
     return add(vertex);
+  }
+
+  /// Four poles nearly in a plane: only roundings say where on a line their corner is. Others lie in
+  /// the balls, or beside them by much less than a radius.
+  static bool is_astray(const Point3& corner, const std::array<WeightedPoint3, 4>& sites) {
+    double least = sites[0].weight;
+    for (const WeightedPoint3& site : sites) least = std::min(least, site.weight);
+    return std::any_of(sites.begin(), sites.end(), [&](const WeightedPoint3& site) {
+      const Point3 d = minus(corner, site.point);
+      return !(dot(d, d) - site.weight <= least);
+    });
   }
 
   std::uint32_t add(const CrustVertex& vertex) {
@@ -189,14 +204,14 @@ class CrustExtraction {
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
       place[vertices[i].position] = i;
       vertices[i].position = i;
-      vertices[i].window = window_;
+      vertices[i].window = options_.window;
     }
     for (CrustTriangle& triangle : result_.triangles) {
       for (std::uint32_t& corner : triangle.corners) corner = place[corner];
     }
   }
 
-  const std::uint32_t window_;
+  const CrustFacesOptions options_;
   const SamplePoles& poles_;
   const FinalWindow samples_;
   const WeightedCellView cells_;
@@ -209,8 +224,8 @@ class CrustExtraction {
 
 }  // namespace
 
-CrustFaces crust_faces(const PowerWindow& power, std::uint32_t window) {
-  return CrustExtraction(power, window).run();
+CrustFaces crust_faces(const PowerWindow& power, const CrustFacesOptions& options) {
+  return CrustExtraction(power, options).run();
 }
 
 // About nine vertices and eighteen triangles for each owned pole.

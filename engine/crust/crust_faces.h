@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/crust/crust_records.h"
@@ -29,9 +30,14 @@ struct CrustFaces {
   }
 };
 
+struct CrustFacesOptions {
+  std::uint32_t window = 0;  ///< its number, for the vertices
+  /// Ranks of the points that are no samples, ascending: no corner is put there.
+  std::span<const std::uint32_t> far_ranks;
+};
+
 /// \pre build() of the window returned kDone
-/// \param window its number, for the vertices
-CrustFaces crust_faces(const PowerWindow& power, std::uint32_t window);
+CrustFaces crust_faces(const PowerWindow& power, const CrustFacesOptions& options);
 
 /// What crust_faces() may be expected to need beside the window, bytes.
 std::uint64_t crust_faces_memory(const PowerWindow& power);

@@ -1,10 +1,32 @@
 #include "engine/crust/crust_stage.h"
 
+#include <span>
 #include <string>
+#include <vector>
 
+#include "engine/order/point_store.h"
 #include "engine/windows/cloud_index.h"
 
 namespace stream_recon {
+namespace {
+
+constexpr std::size_t kBatch = 1 << 12;
+
+/// Of the points that are no samples, ascending.
+std::vector<std::uint32_t> far_ranks(const CloudSummary& cloud, const StageContext& context) {
+  std::vector<std::uint32_t> ranks;
+  PointStoreReader store(context.scratch, kPointStore);
+  std::vector<StoredPoint> batch(kBatch);
+  std::uint32_t rank = 0;
+  while (const std::size_t count = store.read(batch)) {
+    for (std::size_t i = 0; i < count; ++i, ++rank) {
+      if (batch[i].input_index >= cloud.points) ranks.push_back(rank);
+    }
+  }
+  return ranks;
+}
+
+}  // namespace
 
 CrustSurface build_crust(const CloudSummary& cloud, std::uint64_t point_count,
                          const CrustStageOptions& options, const StageContext& context) {
@@ -15,7 +37,11 @@ CrustSurface build_crust(const CloudSummary& cloud, std::uint64_t point_count,
   {
     const CloudIndex index = build_index(cloud, point_count, context);
     windows = build_crust_windows(
-        index, {.threads = options.threads, .window_points = options.window_points}, context);
+        index,
+        {.threads = options.threads,
+         .window_points = options.window_points,
+         .far_ranks = far_ranks(cloud, context)},
+        context);
   }
   context.scratch.remove(kIndexPages);
   const CrustAssemblyOptions assembly{.input_points = cloud.points + cloud.far_points,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "engine/crust/crust_faces.h"
@@ -69,8 +70,14 @@ Plan plan_for(const CloudIndex& index, const CrustWindowOptions& options,
 
 class WindowLoop {
  public:
-  WindowLoop(const CloudIndex& index, const Plan& plan, const StageContext& context)
+  WindowLoop(const CloudIndex& index, const CrustWindowOptions& options,
+             const StageContext& context)
+      : WindowLoop(index, options, plan_for(index, options, context.budget), context) {}
+
+  WindowLoop(const CloudIndex& index, const CrustWindowOptions& options, const Plan& plan,
+             const StageContext& context)
       : index_(index),
+        far_ranks_(options.far_ranks),
         plan_(plan),
         context_(context),
         memory_(context.budget.reserve(
@@ -124,7 +131,7 @@ class WindowLoop {
     std::optional<PowerWindow> power(std::in_place, samples, poles_, finder);
     if (power->build(owned, plan_.window_bytes) != Outcome::kDone) return false;
     if (power->bytes() + crust_faces_memory(*power) > plan_.window_bytes) return false;
-    const CrustFaces faces = crust_faces(*power, reserve_number());
+    const CrustFaces faces = crust_faces(*power, {reserve_number(), far_ranks_});
     const PowerCounts counts = power->counts();
     power.reset();
     write(owned, faces, counts);
@@ -172,6 +179,7 @@ class WindowLoop {
   }
 
   const CloudIndex& index_;
+  std::span<const std::uint32_t> far_ranks_;
   const Plan plan_;
   const StageContext& context_;
   Reservation memory_;
@@ -186,7 +194,7 @@ class WindowLoop {
 
 CrustWindows build_crust_windows(const CloudIndex& index, const CrustWindowOptions& options,
                                  const StageContext& context) {
-  return WindowLoop(index, plan_for(index, options, context.budget), context).run();
+  return WindowLoop(index, options, context).run();
 }
 
 }  // namespace stream_recon

@@ -36,8 +36,10 @@ struct CrustWindows {
 
 struct CrustWindowOptions {
   unsigned threads = 1;
-  std::uint64_t window_points =
-      0;  ///< samples of a window at most; 0: as many as the memory allows
+  /// Samples of a window at most; 0: as many as the memory allows.
+  std::uint64_t window_points = 0;
+  /// Ranks of the points that are no samples (order/far_points.h), ascending.
+  std::vector<std::uint32_t> far_ranks;
 };
 
 /// \pre The pole store and the index are in the scratch directory.

@@ -61,8 +61,14 @@ class Collection {
   }
 
   void export_balls_of_poles() {
-    export_poles(
-        window_, evidence_.poles(), [this](CellId cell) { return attachment(cell); }, out_);
+    // What reaches for a far point lies outside, whatever the evidence says.
+    const auto attachment_of = [this](CellId cell) {
+      const auto v = cells_.vertices(cell);
+      const bool is_far =
+          std::any_of(v.begin(), v.end(), [this](VertexId i) { return spacing_[i] == kNoSample; });
+      return is_far ? Attachment{} : attachment(cell);
+    };
+    export_poles(window_, evidence_.poles(), attachment_of, out_);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/error.h"
+#include "spatial/box.h"
 #include "spatial/vector.h"
 
 namespace stream_recon {
@@ -13,15 +14,17 @@ PoleIndex::PoleIndex(const ScratchDirectory& scratch, std::uint64_t pages)
   if (file_.record_count() >= kNoPole) {
     throw InputError("the cloud has more than 4294967294 poles; split it");
   }
+  Box3 box;
   RecordCursor<Pole> cursor(file_);
   std::vector<Pole> poles(file_.records_per_block());
   while (const std::size_t count = cursor.read(poles)) {
     first_.push_back(poles[0].tetrahedron);
     for (const Pole& pole : std::span(poles).first(count)) {
       range_.extend(site_of(pole));
-      reach_ = std::max(reach_, length(pole.centre));
+      box.extend(pole.centre);
     }
   }
+  if (!box.empty()) reach_ = length(minus(box.high, box.low));
 }
 
 const PolePage& PoleFinder::page(std::uint64_t number) {

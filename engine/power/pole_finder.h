@@ -43,7 +43,7 @@ class PoleIndex {
   PoleNumber count() const { return static_cast<PoleNumber>(file_.record_count()); }
   /// Of all sites.
   const CoordinateRange& range() const { return range_; }
-  /// No centre is farther from the origin; units of the input.
+  /// No two centres are farther from each other; units of the input.
   double reach() const { return reach_; }
 
  private:
