@@ -226,7 +226,10 @@ class Pipeline {
       return merged;
     });
     if (!options_.needs_poles()) return;
-    log_.run("poles", [&] { report_.poles = store_poles(exports, forest.labels, context_); });
+    log_.run("poles", [&] {
+      report_.poles =
+          store_poles({exports, forest.labels}, options_.pole_tolerance, context_);
+    });
   }
 
   void export_solid(const ExportReader& exports, const ChunkLayout& layout,

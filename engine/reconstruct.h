@@ -66,6 +66,9 @@ struct RunOptions {
   /// kNone.
   std::string medial_axis;
   PoleSide medial_axis_side = PoleSide::kInner;
+  /// Poles whose centres and radii are equal, rounded to multiples of it, are one; units of the
+  /// input, 0: those of the very same ball. For kCrust and medial axes.
+  double pole_tolerance = 0;
   /// Also writes the points that no triangle of the surface has; ends in .ply, empty for none. Not
   /// for kCrust, which has vertices of its own.
   std::string unused;

@@ -109,6 +109,9 @@ void check_thresholds(const RunOptions& options) {
               "--spacing: give one length above 0 or three, SX,SY,SZ, in the units of the input");
     }
   }
+  require(options.pole_tolerance >= 0 &&
+              options.pole_tolerance <= std::numeric_limits<double>::max(),
+          "--pole-tolerance: give a length of 0 or more in the units of the input");
   require(options.surface != SurfaceKind::kAlpha || is_radius,
           "--surface alpha needs --alpha R, a radius above 0 in the units of the input");
 }

@@ -91,7 +91,7 @@ Stored stored_poles(const Cloud& cloud, const How& how) {
   const ExportReader exports(stage.scratch, stage.budget);
   const MergedForest forest = merge_forest(exports, stage.context);
   Stored stored;
-  stored.counts = store_poles(exports, forest.labels, stage.context);
+  stored.counts = store_poles({exports, forest.labels}, 0, stage.context);
   stored.poles = read_poles(stage);
   stored.bytes = file_bytes(stage.scratch.path() + "/" + kPoleStore);
   label_facets(exports, forest.labels, {{points, points}, {}}, stage.context);
@@ -326,8 +326,8 @@ class MadePoles {
     labels->finish();
     const ExportReader exports(stage_.scratch, stage_.budget);
     Stored stored;
-    stored.counts =
-        store_poles(exports, {first_ranks, std::move(labels), Reservation()}, stage_.context);
+    const WindowLabels window_labels{first_ranks, std::move(labels), Reservation()};
+    stored.counts = store_poles({exports, window_labels}, 0, stage_.context);
     stored.poles = read_poles(stage_);
     return stored;
   }

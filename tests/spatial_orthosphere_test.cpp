@@ -24,7 +24,8 @@ using Vector = std::array<Rational, 3>;
 using Sites = std::array<WeightedPoint3, 4>;
 using Corners = std::array<Point3, 4>;
 
-constexpr double kRounding = 0x1p-50;
+/// Of balls whose centres lie within the unit ball.
+constexpr OrthosphereReach kReach{.reach = 2, .most_error = 1e-9, .rounding = 0x1p-50};
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int kCases = 30;
 #else
@@ -105,16 +106,20 @@ Sites random_sites(double flatness, std::mt19937_64& random) {
   return sites;
 }
 
-double wander(std::mt19937_64& random) {
-  return std::uniform_real_distribution<double>(-kRounding / 2, kRounding / 2)(random);
+/// By no more than a site of this size may be off.
+double wander(double size, std::mt19937_64& random) {
+  const double most = size * kReach.rounding / 2;
+  return std::uniform_real_distribution<double>(-most, most)(random);
 }
 
 /// Within what the stored balls may be off.
 Sites rounded(const Sites& sites, std::mt19937_64& random) {
   Sites near = sites;
   for (WeightedPoint3& site : near) {
-    site.point = plus(site.point, {wander(random), wander(random), wander(random)});
-    const double radius = std::max(0.0, std::sqrt(site.weight) + wander(random));
+    const double size = length(site.point) + std::sqrt(site.weight);
+    site.point =
+        plus(site.point, {wander(size, random), wander(size, random), wander(size, random)});
+    const double radius = std::max(0.0, std::sqrt(site.weight) + wander(size, random));
     site.weight = radius * radius;
   }
   return near;
@@ -125,11 +130,11 @@ TEST(Orthosphere, IsAsFarFromItsFourBallsWithinItsError) {
   int told = 0;
   for (int i = 0; i < 10 * kCases; ++i) {
     const Sites sites = random_sites(0.001 * (i % 7000), random);
-    const auto sphere = orthosphere(sites, {1, kRounding});
+    const auto sphere = orthosphere(sites, kReach);
     if (!sphere) continue;
     ++told;
     EXPECT_GT(sphere->error, 0);
-    EXPECT_LT(sphere->error, kMostOrthosphereError);
+    EXPECT_LT(sphere->error, kReach.most_error);
     for (const WeightedPoint3& site : sites) {
       const Vector d = minus(exact(site.point), exact(sphere->centre));
       const Rational missed = dot(d, d) - Rational(site.weight) - Rational(sphere->weight);
@@ -143,7 +148,7 @@ TEST(Orthosphere, HasTheErrorThatItSaysToEveryBallWithinReachOfRoundedSitesToo) 
   std::mt19937_64 random(2);
   for (int i = 0; i < kCases; ++i) {
     const Sites truth = random_sites(0.01 * (i % 700), random);
-    const auto sphere = orthosphere(rounded(truth, random), {1, kRounding});
+    const auto sphere = orthosphere(rounded(truth, random), kReach);
     const auto expected = exact_sphere(truth);
     if (!sphere || !expected) continue;
     const ExactSphere found{exact(sphere->centre), Rational(sphere->weight)};
@@ -159,12 +164,12 @@ TEST(Orthosphere, HasTheErrorThatItSaysToEveryBallWithinReachOfRoundedSitesToo) 
 TEST(Orthosphere, OfBallsThatAreNearlyCoplanarTellsNothing) {
   std::mt19937_64 random(3);
   for (int i = 0; i < kCases; ++i) {
-    EXPECT_FALSE(orthosphere(random_sites(13, random), {1, kRounding}));
+    EXPECT_FALSE(orthosphere(random_sites(13, random), kReach));
     Sites flat = random_sites(0, random);
     for (WeightedPoint3& site : flat) site.point.z = 0.5;
-    EXPECT_FALSE(orthosphere(flat, {1, kRounding}));
+    EXPECT_FALSE(orthosphere(flat, kReach));
     flat[1] = flat[0];
-    EXPECT_FALSE(orthosphere(flat, {1, kRounding}));
+    EXPECT_FALSE(orthosphere(flat, kReach));
     const Point3 centre = orthocentre(flat);
     EXPECT_TRUE(is_finite(centre));
     EXPECT_LE(length(centre), 1);
@@ -175,7 +180,7 @@ TEST(Orthocentre, IsTheCentreOfTheSphere) {
   std::mt19937_64 random(4);
   for (int i = 0; i < kCases; ++i) {
     const Sites sites = random_sites(0, random);
-    const auto sphere = orthosphere(sites, {1, kRounding});
+    const auto sphere = orthosphere(sites, kReach);
     if (sphere) {
       EXPECT_EQ(orthocentre(sites), sphere->centre);
     }

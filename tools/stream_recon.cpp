@@ -77,6 +77,10 @@ void add_medial_axis_options(CLI::App& app, RunOptions& run) {
          "solid, crust, none: also the medial axis, balls that touch the samples from within: "
          "OUT.pvtp with a folder of chunks")
       ->option_text("OUT");
+  app.add_option("--pole-tolerance", run.pole_tolerance,
+                 "crust, medial axis: balls that differ by less than about this length become one "
+                 "(default: 0, only the very same)")
+      ->option_text("LENGTH");
   app.add_option("--medial-axis-side", run.medial_axis_side,
                  "Which balls: inner (default), outer or both")
       ->transform(CLI::CheckedTransformer(sides))
@@ -191,6 +195,8 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
           fmt::format("{0} is for --surface solid; add that or leave {0} out", option));
     }
   }
+  require(has_axis || line.surface == "crust" || app.count("--pole-tolerance") == 0,
+          "--pole-tolerance is for --surface crust and --medial-axis; add one or leave it out");
   require(has_axis || app.count("--medial-axis-side") == 0,
           "--medial-axis-side is for --medial-axis; add that or leave --medial-axis-side out");
   require(

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <tuple>
 #include <type_traits>
 
 #include "engine/labels/evidence_records.h"
@@ -22,9 +22,6 @@ struct Pole {
   double radius = 0;  ///< finite
 
   std::uint32_t lowest_rank() const { return tetrahedron.ranks[0]; }
-  bool has_ball_of(const Pole& other) const {
-    return centre == other.centre && radius == other.radius;
-  }
 };
 
 static_assert(sizeof(Pole) == 56 && std::is_trivially_copyable_v<Pole>);
@@ -37,16 +34,29 @@ struct PoleByName {
   }
 };
 
-/// Equal balls beside each other, those of one tetrahedron too.
+/// Equal balls beside each other, those of one tetrahedron too. Balls are equal if centre and radius
+/// are, rounded to multiples of the tolerance.
 struct PoleByBall {
   Pole pole;
-  friend bool operator<(const PoleByBall& a, const PoleByBall& b) { return a.key() < b.key(); }
+  double tolerance = 0;  ///< the same for all; 0: as they are
+
+  bool has_ball_of(const PoleByBall& other) const { return ball() == other.ball(); }
+  friend bool operator<(const PoleByBall& a, const PoleByBall& b) {
+    const auto x = a.ball();
+    const auto y = b.ball();
+    return x != y ? x < y : a.pole.tetrahedron < b.pole.tetrahedron;
+  }
 
  private:
-  std::tuple<const double&, const double&, const double&, const double&, const NodeKey&> key()
-      const {
-    return std::tie(pole.centre.x, pole.centre.y, pole.centre.z, pole.radius, pole.tetrahedron);
+  std::array<double, 4> ball() const {
+    return {rounded(pole.centre.x), rounded(pole.centre.y), rounded(pole.centre.z),
+            rounded(pole.radius)};
+  }
+  double rounded(double length) const {
+    return tolerance > 0 ? std::floor(length / tolerance + 0.5) : length;
   }
 };
+
+static_assert(sizeof(PoleByBall) == 64 && std::is_trivially_copyable_v<PoleByBall>);
 
 }  // namespace stream_recon

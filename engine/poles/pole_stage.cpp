@@ -23,11 +23,12 @@ constexpr std::uint64_t kReading =
 /// The tetrahedra of one ball, which come one after the other.
 class Coincidence {
  public:
-  explicit Coincidence(const Pole& lowest) : pole_(lowest), last_(lowest.tetrahedron) {
-    vote(lowest);
+  explicit Coincidence(const PoleByBall& lowest)
+      : lowest_(lowest), pole_(lowest.pole), last_(lowest.pole.tetrahedron) {
+    vote(lowest.pole);
   }
 
-  bool takes(const Pole& other) const { return other.has_ball_of(pole_); }
+  bool takes(const PoleByBall& other) const { return other.has_ball_of(lowest_); }
   /// \pre takes(other), and it comes later in the order
   void add(const Pole& other) {
     if (other.tetrahedron == last_) return;  // another window found it too
@@ -47,6 +48,7 @@ class Coincidence {
  private:
   void vote(const Pole& pole) { ++(pole.is_inside != 0 ? inside_ : outside_); }
 
+  PoleByBall lowest_;
   Pole pole_;
   NodeKey last_;
   std::uint64_t inside_ = 0;
@@ -55,9 +57,11 @@ class Coincidence {
 
 class PoleStage {
  public:
-  PoleStage(const ExportReader& windows, const WindowLabels& labels, const StageContext& context)
+  PoleStage(const ExportReader& windows, const WindowLabels& labels, double tolerance,
+            const StageContext& context)
       : windows_(windows),
         labels_(labels),
+        tolerance_(tolerance),
         context_(context),
         first_ranks_(windows.chunks(ExportKind::kPoleNames)) {}
 
@@ -86,7 +90,7 @@ class PoleStage {
       nodes = std::max(nodes, windows_.count(ExportKind::kEvidenceNodes, rank));
     }
     // A fourth of a sort's memory may go to packing.
-    const std::uint64_t whole = poles * sizeof(Pole) / 3 * 4 + kLeast;
+    const std::uint64_t whole = poles * sizeof(PoleByBall) / 3 * 4 + kLeast;
     const std::uint64_t others = kReading + NodeLabels::memory(nodes) + LabelFile::reading_memory();
     const std::uint64_t available = context_.budget.available();
     return std::clamp((available - std::min(available, others)) / 2, kLeast, whole);
@@ -123,18 +127,19 @@ class PoleStage {
                   .is_inside = static_cast<std::uint8_t>(is_inside),
                   .unused = {},
                   .centre = ball.centre,
-                  .radius = ball.radius}});
+                  .radius = ball.radius},
+                 tolerance_});
   }
 
   void merge(ExternalSort<PoleByBall>& by_ball, ExternalSort<PoleByName>& by_name) {
     std::optional<Coincidence> open;
     by_ball.for_each([&](const PoleByBall& next) {
-      if (open && open->takes(next.pole)) {
+      if (open && open->takes(next)) {
         open->add(next.pole);
         return;
       }
       if (open) finish(*open, by_name);
-      open.emplace(next.pole);
+      open.emplace(next);
     });
     if (open) finish(*open, by_name);
   }
@@ -158,6 +163,7 @@ class PoleStage {
 
   const ExportReader& windows_;
   const WindowLabels& labels_;
+  const double tolerance_;
   const StageContext& context_;
   std::vector<PointRank> first_ranks_;
   PoleReport counts_;
@@ -165,9 +171,9 @@ class PoleStage {
 
 }  // namespace
 
-PoleReport store_poles(const ExportReader& windows, const WindowLabels& labels,
+PoleReport store_poles(const PoleSources& sources, double tolerance,
                        const StageContext& context) {
-  return PoleStage(windows, labels, context).run();
+  return PoleStage(sources.windows, sources.labels, tolerance, context).run();
 }
 
 }  // namespace stream_recon

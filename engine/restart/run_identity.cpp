@@ -80,6 +80,9 @@ RunIdentity identity_of(const RunOptions& options) {
   if (options.needs_labels() && options.grid_spacing) {
     identity["--spacing"] = fmt::format("{}", fmt::join(*options.grid_spacing, ","));
   }
+  if (options.needs_poles()) {
+    identity["--pole-tolerance"] = fmt::format("{}", options.pole_tolerance);
+  }
   if (!options.medial_axis.empty()) {
     identity["--medial-axis-side"] =
         kPoleSideNames.at(static_cast<std::size_t>(options.medial_axis_side));
