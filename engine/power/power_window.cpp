@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "engine/thread_clock.h"
 #include "io/error.h"
@@ -88,12 +89,7 @@ PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t m
   tie_error_ = kTieError * square;
   poles_.add_owned(owned);
   poles_.add_some(some_step_);
-  for (VertexId v = 0; v < poles_.owned_count(); ++v) {
-    const CellId cell = poles_[v].cell;
-    for (const VertexId sample : samples_.view().delaunay().view().vertices(cell)) {
-      close(sample, cell);
-    }
-  }
+  if (!close_owned()) return Outcome::kOutgrown;
   while (poles_.owned_count() != 0) {
     ++counts_.rounds;
     samples_.breathe();
@@ -101,16 +97,36 @@ PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t m
     samples_.breathe();
     ask_all();
     if (!poles_.has_added() && unproven_.empty()) break;
-    const ThreadClock clock(counts_.prove_seconds);
-    const std::uint64_t others = bytes() - samples_.bytes();
-    if (others >= memory_bytes_) return Outcome::kOutgrown;
-    if (samples_.prove(unproven_, memory_bytes_ - others) != Outcome::kDone) {
-      return Outcome::kOutgrown;
-    }
+    if (!prove()) return Outcome::kOutgrown;
   }
   counts_.owned = poles_.owned_count();
   counts_.guests = poles_.count() - counts_.owned;
   return Outcome::kDone;
+}
+
+// All samples that owned poles touch, before there is a triangulation: what walks will come by is
+// nearly all proved then, and few have to be repeated.
+bool PowerWindow::close_owned() {
+  std::vector<std::pair<VertexId, CellId>> open;
+  for (VertexId v = 0; v < poles_.owned_count(); ++v) {
+    const CellId cell = poles_[v].cell;
+    for (const VertexId sample : samples_.view().delaunay().view().vertices(cell)) {
+      if (!close(sample, cell)) open.emplace_back(sample, cell);
+    }
+  }
+  while (!unproven_.empty()) {
+    samples_.breathe();
+    if (!prove()) return false;
+    std::erase_if(open, [this](const auto& at) { return close(at.first, at.second); });
+  }
+  return true;
+}
+
+bool PowerWindow::prove() {
+  const ThreadClock clock(counts_.prove_seconds);
+  const std::uint64_t others = bytes() - samples_.bytes();
+  if (others >= memory_bytes_) return false;
+  return samples_.prove(unproven_, memory_bytes_ - others) == Outcome::kDone;
 }
 
 std::uint64_t PowerWindow::bytes() const {

@@ -63,6 +63,8 @@ class PowerWindow {
  private:
   struct Question;
 
+  bool close_owned();
+  bool prove();
   bool insert_added();
   void ask_all();
   void ask(CellId cell);
