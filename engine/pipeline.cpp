@@ -284,9 +284,7 @@ class Pipeline {
                      .walks = crust.counts.walks,
                      .tests = crust.counts.tests,
                      .unbounded_faces = crust.unbounded,
-                     .insert_seconds = crust.counts.insert_seconds,
-                     .walk_seconds = crust.counts.walk_seconds,
-                     .prove_seconds = crust.counts.prove_seconds};
+                     .seconds = crust.counts.seconds};
   }
 
   void build_surface(const ExportedFacets& facets, SurfaceWriter& writer,

@@ -52,9 +52,13 @@ Json power_json(const PowerReport& power) {
           {"walks", power.walks},
           {"tests", power.tests},
           {"unbounded_faces", power.unbounded_faces},
-          {"insert_seconds", power.insert_seconds},
-          {"walk_seconds", power.walk_seconds},
-          {"prove_seconds", power.prove_seconds}};
+          {"seconds",
+           {{"samples", power.seconds.samples},
+            {"touching", power.seconds.touching},
+            {"insert", power.seconds.insert},
+            {"walk", power.seconds.walk},
+            {"prove", power.seconds.prove},
+            {"faces", power.seconds.faces}}}};
 }
 
 }  // namespace

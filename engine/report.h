@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/power/power_seconds.h"
+
 namespace stream_recon {
 
 struct StageReport {
@@ -47,9 +49,7 @@ struct PowerReport {
   std::uint64_t walks = 0;            ///< one for each cell asked about, and for each sample closed
   std::uint64_t tests = 0;            ///< of a tetrahedron against the sphere of a cell
   std::uint64_t unbounded_faces = 0;  ///< left out: they reach infinity
-  double insert_seconds = 0;          ///< of all threads together
-  double walk_seconds = 0;
-  double prove_seconds = 0;
+  PowerSeconds seconds;
 };
 
 struct Report {

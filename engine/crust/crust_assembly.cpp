@@ -48,8 +48,8 @@ class CrustAssembly {
       : windows_(windows), options_(options), context_(context) {}
 
   CrustFacts run() {
-    const std::uint64_t share = std::max(context_.budget.available() * 2 / 5,
-                                         ExternalSort<CrustVertex>::least_memory());
+    const std::uint64_t share =
+        std::max(context_.budget.available() * 2 / 5, ExternalSort<CrustVertex>::least_memory());
     ExternalSort<VertexRank> ranks(context_, {"crust corners", share});
     {
       ExternalSort<CrustVertex> vertices(context_, {"crust vertices", share});

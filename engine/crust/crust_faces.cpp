@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::uint32_t kUnnumbered = std::numeric_limits<std::uint32_t>::max();
 
+/// Rarely more.
+constexpr std::size_t kVerticesAPole = 12;
+
 /// Of a cell with positive orientation: (i, j, k, l) is an even permutation for each row (i, j, k).
 constexpr std::array<std::array<int, 4>, 12> kEven{{{0, 1, 2, 3},
                                                     {0, 2, 3, 1},
@@ -61,14 +64,18 @@ std::uint32_t commonest(std::array<std::uint32_t, 16> samples,
 
 class CrustExtraction {
  public:
-  CrustExtraction(const PowerWindow& power, const CrustFacesOptions& options)
+  CrustExtraction(const PowerWindow& power, const CrustFacesOptions& options,
+                  const CrustFacesFiles& files)
       : options_(options),
+        files_(files),
         poles_(power.poles()),
         samples_(power.samples().view()),
         cells_(power.triangulation().view()),
-        numbers_(cells_.slots(), kUnnumbered) {}
+        numbers_(cells_.slots(), kUnnumbered) {
+    names_.reserve(poles_.owned_count() * kVerticesAPole);
+  }
 
-  CrustFaces run() {
+  CrustFacesCounts run() {
     for (CellId cell = 0; cell < cells_.slots(); ++cell) {
       if (!cells_.is_live(cell)) continue;
       const auto v = cells_.vertices(cell);
@@ -77,8 +84,7 @@ class CrustExtraction {
         if (v[a] < poles_.owned_count() && is_outside(v[b])) add_face(cell, {a, b, c, d});
       }
     }
-    order_vertices();
-    return std::move(result_);
+    return counts_;
   }
 
  private:
@@ -116,9 +122,9 @@ class CrustExtraction {
       kept = cells_.vertex(next, entered);
       cell = next;
     } while (cell != first);
-    ++result_.faces;
+    ++counts_.faces;
     if (!is_bounded) {
-      ++result_.unbounded;
+      ++counts_.unbounded;
       return;
     }
     add_polygon(ball_angle(cells_.point(inside), cells_.point(outside)));
@@ -132,15 +138,14 @@ class CrustExtraction {
     }
     while (polygon_.size() > 1 && polygon_.back() == polygon_.front()) polygon_.pop_back();
     if (polygon_.size() < 3) return;
-    const auto lowest = std::min_element(polygon_.begin(), polygon_.end(),
-                                         [this](std::uint32_t a, std::uint32_t b) {
-                                           return result_.vertices[a].name < result_.vertices[b].name;
-                                         });
+    const auto lowest = std::min_element(
+        polygon_.begin(), polygon_.end(),
+        [this](std::uint32_t a, std::uint32_t b) { return names_[a] < names_[b]; });
     std::rotate(polygon_.begin(), lowest, polygon_.end());
     for (std::size_t i = 1; i + 1 < polygon_.size(); ++i) {
       const std::array<std::uint32_t, 3> corners{polygon_[0], polygon_[i + 1], polygon_[i]};
       if (corners[1] == corners[0] || corners[2] == corners[0]) continue;
-      result_.triangles.push_back({corners, delta});
+      files_.triangles.append({corners, delta});
     }
   }
 
@@ -179,8 +184,8 @@ class CrustExtraction {
     return add(vertex);
   }
 
-  /// Four poles nearly in a plane: only roundings say where on a line their corner is. Others lie in
-  /// the balls, or beside them by much less than a radius.
+  /// Four poles nearly in a plane: only roundings say where on a line their corner is. Others lie
+  /// in the balls, or beside them by much less than a radius.
   static bool is_astray(const Point3& corner, const std::array<WeightedPoint3, 4>& sites) {
     double least = sites[0].weight;
     for (const WeightedPoint3& site : sites) least = std::min(least, site.weight);
@@ -190,28 +195,18 @@ class CrustExtraction {
     });
   }
 
-  std::uint32_t add(const CrustVertex& vertex) {
-    result_.vertices.push_back(vertex);
-    return static_cast<std::uint32_t>(result_.vertices.size() - 1);
-  }
-
-  void order_vertices() {
-    auto& vertices = result_.vertices;
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) vertices[i].position = i;
-    std::sort(vertices.begin(), vertices.end(),
-              [](const CrustVertex& a, const CrustVertex& b) { return a.name < b.name; });
-    std::vector<std::uint32_t> place(vertices.size());
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-      place[vertices[i].position] = i;
-      vertices[i].position = i;
-      vertices[i].window = options_.window;
-    }
-    for (CrustTriangle& triangle : result_.triangles) {
-      for (std::uint32_t& corner : triangle.corners) corner = place[corner];
-    }
+  std::uint32_t add(CrustVertex& vertex) {
+    const auto number = static_cast<std::uint32_t>(names_.size());
+    vertex.window = options_.window;
+    vertex.position = number;
+    files_.vertices.append(vertex);
+    names_.push_back(vertex.name);
+    ++counts_.vertices;
+    return number;
   }
 
   const CrustFacesOptions options_;
+  const CrustFacesFiles files_;
   const SamplePoles& poles_;
   const FinalWindow samples_;
   const WeightedCellView cells_;
@@ -219,22 +214,22 @@ class CrustExtraction {
   std::vector<std::uint32_t> of_sample_;  ///< of samples that are vertices
   std::vector<CellId> ring_;
   std::vector<std::uint32_t> polygon_;
-  CrustFaces result_;
+  std::vector<CrustVertexName> names_;  ///< of vertices
+  CrustFacesCounts counts_;
 };
 
 }  // namespace
 
-CrustFaces crust_faces(const PowerWindow& power, const CrustFacesOptions& options) {
-  return CrustExtraction(power, options).run();
+CrustFacesCounts write_crust_faces(const PowerWindow& power, const CrustFacesOptions& options,
+                                   const CrustFacesFiles& files) {
+  return CrustExtraction(power, options, files).run();
 }
 
-// About nine vertices and eighteen triangles for each owned pole.
 std::uint64_t crust_faces_memory(const PowerWindow& power) {
   const std::uint64_t owned = power.poles().owned_count();
   const std::uint64_t numbers =
       power.triangulation().cell_slots() + power.samples().view().delaunay().vertex_count();
-  return owned * (9 * sizeof(CrustVertex) + 18 * sizeof(CrustTriangle)) +
-         numbers * sizeof(std::uint32_t);
+  return owned * kVerticesAPole * sizeof(CrustVertexName) + numbers * sizeof(std::uint32_t);
 }
 
 }  // namespace stream_recon

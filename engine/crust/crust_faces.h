@@ -4,7 +4,7 @@
 // A face is the polygon of the vertices dual to the cells around an edge from a pole inside to one
 // outside. Guarantees: corners and triangles of a face are functions of the poles alone, so that
 // faces of different windows fit along their edges without cracks; every face of the crust is
-// emitted by one window. Corners with a common sample are one vertex, the sample. A face with a
+// written by one window. Corners with a common sample are one vertex, the sample. A face with a
 // corner at infinity is left out and counted. Thread rule: one thread. Memory: about what
 // crust_faces_memory() says. Source: Amenta, Choi, Kolluri, The power crust, 2001, section 3;
 // docs/algorithms/crust.md
@@ -12,23 +12,12 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "engine/crust/crust_records.h"
 #include "engine/power/power_window.h"
+#include "io/record_file.h"
 
 namespace stream_recon {
-
-struct CrustFaces {
-  std::vector<CrustVertex> vertices;  ///< distinct, ascending by name, numbered
-  std::vector<CrustTriangle> triangles;
-  std::uint64_t faces = 0;
-  std::uint64_t unbounded = 0;  ///< of these: left out
-
-  std::uint64_t bytes() const {
-    return vertices.capacity() * sizeof(CrustVertex) + triangles.capacity() * sizeof(CrustTriangle);
-  }
-};
 
 struct CrustFacesOptions {
   std::uint32_t window = 0;  ///< its number, for the vertices
@@ -36,10 +25,24 @@ struct CrustFacesOptions {
   std::span<const std::uint32_t> far_ranks;
 };
 
-/// \pre build() of the window returned kDone
-CrustFaces crust_faces(const PowerWindow& power, const CrustFacesOptions& options);
+/// Where they go: distinct vertices by position, and triangles.
+struct CrustFacesFiles {
+  RecordWriter<CrustVertex>& vertices;
+  RecordWriter<CrustTriangle>& triangles;
+};
 
-/// What crust_faces() may be expected to need beside the window, bytes.
+struct CrustFacesCounts {
+  std::uint32_t vertices = 0;
+  std::uint64_t faces = 0;
+  std::uint64_t unbounded = 0;  ///< of these: left out
+};
+
+/// \pre build() of the window returned kDone
+/// \throw IoError
+CrustFacesCounts write_crust_faces(const PowerWindow& power, const CrustFacesOptions& options,
+                                   const CrustFacesFiles& files);
+
+/// What write_crust_faces() may be expected to need beside window and files, bytes.
 std::uint64_t crust_faces_memory(const PowerWindow& power);
 
 }  // namespace stream_recon

@@ -29,8 +29,8 @@ struct CrustVertexName {
 
 struct CrustVertex {
   CrustVertexName name;
-  std::uint32_t window = 0;    ///< as CrustWindows::windows numbers them
-  std::uint32_t position = 0;  ///< among the vertices of its window
+  std::uint32_t window = 0;     ///< as CrustWindows::windows numbers them
+  std::uint32_t position = 0;   ///< among the vertices of its window
   std::uint32_t is_astray = 0;  ///< 1: the point tells nothing, the vertex goes to the sample
   Point3 point;
 

@@ -36,12 +36,11 @@ CrustSurface build_crust(const CloudSummary& cloud, std::uint64_t point_count,
   CrustWindows windows;
   {
     const CloudIndex index = build_index(cloud, point_count, context);
-    windows = build_crust_windows(
-        index,
-        {.threads = options.threads,
-         .window_points = options.window_points,
-         .far_ranks = far_ranks(cloud, context)},
-        context);
+    windows = build_crust_windows(index,
+                                  {.threads = options.threads,
+                                   .window_points = options.window_points,
+                                   .far_ranks = far_ranks(cloud, context)},
+                                  context);
   }
   context.scratch.remove(kIndexPages);
   const CrustAssemblyOptions assembly{.input_points = cloud.points + cloud.far_points,

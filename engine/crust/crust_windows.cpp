@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <utility>
 
 #include "engine/crust/crust_faces.h"
 #include "engine/parallel.h"
 #include "engine/size_text.h"
+#include "engine/thread_clock.h"
 
 namespace stream_recon {
 namespace {
@@ -19,7 +19,7 @@ using namespace index_layout;
 
 /// What a window is expected to need for each sample, faces included; where that is too little it
 /// is split.
-constexpr std::uint64_t kBytesASample = 3600;
+constexpr std::uint64_t kBytesASample = 3200;
 constexpr std::uint64_t kLeastSamples = 1 << 13;
 constexpr std::size_t kBlock = std::size_t{128} << 10;
 
@@ -36,8 +36,8 @@ Plan plan_for(const CloudIndex& index, const CrustWindowOptions& options,
               const MemoryBudget& budget) {
   Plan plan{};
   const std::uint64_t available = budget.available();
-  const std::uint64_t fixed = CertifiedWindow::fixed_memory(index) + PoleFinder::kMemory +
-                              record_file_memory(kBlock);
+  const std::uint64_t fixed =
+      CertifiedWindow::fixed_memory(index) + PoleFinder::kMemory + 2 * record_file_memory(kBlock);
   const std::uint64_t least_cache = IndexCaches::least_memory(1);
   const std::uint64_t least = 2 * least_cache + fixed + (std::uint64_t{8} << 20);
   if (available < least) {
@@ -63,8 +63,8 @@ Plan plan_for(const CloudIndex& index, const CrustWindowOptions& options,
   points = std::max(points, kLeafPoints);
   std::uint64_t windows = quotient_up(index.point_count, points);
   windows = quotient_up(windows, plan.threads) * plan.threads;
-  plan.window_points = quotient_up(quotient_up(index.point_count, windows), kLeafPoints) *
-                       kLeafPoints;
+  plan.window_points =
+      quotient_up(quotient_up(index.point_count, windows), kLeafPoints) * kLeafPoints;
   return plan;
 }
 
@@ -80,10 +80,9 @@ class WindowLoop {
         far_ranks_(options.far_ranks),
         plan_(plan),
         context_(context),
-        memory_(context.budget.reserve(
-            plan.cache_bytes + plan.pole_pages * PoleIndex::kPageMemory +
-                plan.threads * (plan.fixed_bytes + plan.window_bytes),
-            "the windows of the crust")),
+        memory_(context.budget.reserve(plan.cache_bytes + plan.pole_pages * PoleIndex::kPageMemory +
+                                           plan.threads * (plan.fixed_bytes + plan.window_bytes),
+                                       "the windows of the crust")),
         poles_(context.scratch, plan.pole_pages),
         caches_(context.scratch, index, plan.cache_bytes) {}
 
@@ -127,14 +126,22 @@ class WindowLoop {
 
   bool try_build(CertifiedWindow& samples, PoleFinder& finder, const OwnedRange& owned) {
     using Outcome = CertifiedWindow::Outcome;
-    if (samples.build(owned, plan_.window_bytes) != Outcome::kDone) return false;
-    std::optional<PowerWindow> power(std::in_place, samples, poles_, finder);
-    if (power->build(owned, plan_.window_bytes) != Outcome::kDone) return false;
-    if (power->bytes() + crust_faces_memory(*power) > plan_.window_bytes) return false;
-    const CrustFaces faces = crust_faces(*power, {reserve_number(), far_ranks_});
-    const PowerCounts counts = power->counts();
-    power.reset();
-    write(owned, faces, counts);
+    PowerSeconds seconds;
+    {
+      const ThreadClock clock(seconds.samples);
+      if (samples.build(owned, plan_.window_bytes) != Outcome::kDone) return false;
+    }
+    PowerWindow power(samples, poles_, finder);
+    if (power.build(owned, plan_.window_bytes) != Outcome::kDone) return false;
+    power.forget_walks();
+    if (power.bytes() + crust_faces_memory(power) > plan_.window_bytes) return false;
+    {
+      const ThreadClock clock(seconds.faces);
+      write(owned, power);
+    }
+    const std::lock_guard lock(mutex_);
+    result_.counts.add(power.counts());
+    result_.counts.seconds.add(seconds);
     return true;
   }
 
@@ -144,22 +151,25 @@ class WindowLoop {
     return static_cast<std::uint32_t>(result_.windows.size() - 1);
   }
 
-  void write(const OwnedRange& owned, const CrustFaces& faces, const PowerCounts& counts) {
-    const CrustWindow window{owned.first, static_cast<std::uint32_t>(faces.vertices.size())};
-    if (!faces.vertices.empty()) {
-      auto vertices = create_records<CrustVertex>(context_.scratch, window.vertices_file(), kBlock);
-      vertices.append(std::span<const CrustVertex>(faces.vertices));
-      vertices.finish();
-      auto triangles =
-          create_records<CrustTriangle>(context_.scratch, window.triangles_file(), kBlock);
-      triangles.append(std::span<const CrustTriangle>(faces.triangles));
-      triangles.finish();
+  void write(const OwnedRange& owned, const PowerWindow& power) {
+    const std::uint32_t number = reserve_number();
+    CrustWindow window{owned.first, 0};
+    auto vertices = create_records<CrustVertex>(context_.scratch, window.vertices_file(), kBlock);
+    auto triangles =
+        create_records<CrustTriangle>(context_.scratch, window.triangles_file(), kBlock);
+    const CrustFacesCounts counts =
+        write_crust_faces(power, {number, far_ranks_}, {vertices, triangles});
+    vertices.finish();
+    triangles.finish();
+    window.vertices = counts.vertices;
+    if (window.vertices == 0) {
+      context_.scratch.remove(window.vertices_file());
+      context_.scratch.remove(window.triangles_file());
     }
     const std::lock_guard lock(mutex_);
-    if (!faces.vertices.empty()) result_.windows[faces.vertices[0].window] = window;
-    result_.counts.add(counts);
-    result_.faces += faces.faces;
-    result_.unbounded += faces.unbounded;
+    result_.windows[number] = window;
+    result_.faces += counts.faces;
+    result_.unbounded += counts.unbounded;
   }
 
   void split(CertifiedWindow& samples, PoleFinder& finder, const OwnedRange& owned) {

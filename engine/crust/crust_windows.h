@@ -3,7 +3,7 @@
 //
 // Guarantees: every face of the crust is in one window's files, whatever the windows; one that
 // outgrows its memory is split and built again. Thread rule: one caller; windows side by side.
-// Memory: all that the budget has left; a window is given 3600 bytes an owned sample. Cost: about
+// Memory: all that the budget has left; a window is given 3200 bytes an owned sample. Cost: about
 // 80 us of processor time a sample. Source: docs/algorithms/crust.md, weighted.md
 #pragma once
 

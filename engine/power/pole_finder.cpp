@@ -14,7 +14,9 @@ PoleIndex::PoleIndex(const ScratchDirectory& scratch, std::uint64_t pages)
   if (file_.record_count() >= kNoPole) {
     throw InputError("the cloud has more than 4294967294 poles; split it");
   }
+  const PoleNumber step = std::max<PoleNumber>(1, count() / kSome);
   Box3 box;
+  PoleNumber number = 0;
   RecordCursor<Pole> cursor(file_);
   std::vector<Pole> poles(file_.records_per_block());
   while (const std::size_t count = cursor.read(poles)) {
@@ -22,6 +24,8 @@ PoleIndex::PoleIndex(const ScratchDirectory& scratch, std::uint64_t pages)
     for (const Pole& pole : std::span(poles).first(count)) {
       range_.extend(site_of(pole));
       box.extend(pole.centre);
+      if (number % step == 0) some_.push_back({number, pole});
+      ++number;
     }
   }
   if (!box.empty()) reach_ = length(minus(box.high, box.low));
@@ -50,9 +54,9 @@ PoleNumber PoleFinder::first_not_below(const NodeKey& name) {
   if (after == first.begin()) return 0;
   const auto block = static_cast<std::uint64_t>(after - first.begin()) - 1;
   const std::vector<Pole>& poles = page(block).poles;
-  const auto at = std::lower_bound(
-      poles.begin(), poles.end(), name,
-      [](const Pole& pole, const NodeKey& key) { return pole.tetrahedron < key; });
+  const auto at =
+      std::lower_bound(poles.begin(), poles.end(), name,
+                       [](const Pole& pole, const NodeKey& key) { return pole.tetrahedron < key; });
   return static_cast<PoleNumber>(block * index_.file_.records_per_block() +
                                  static_cast<std::uint64_t>(at - poles.begin()));
 }

@@ -31,6 +31,11 @@ struct PolePage {
   std::vector<Pole> poles;
 };
 
+struct NumberedPole {
+  PoleNumber number;
+  Pole pole;
+};
+
 class PoleIndex {
  public:
   static constexpr std::uint64_t kPageMemory = kPoleStoreBlock + 256;
@@ -45,14 +50,19 @@ class PoleIndex {
   const CoordinateRange& range() const { return range_; }
   /// No two centres are farther from each other; units of the input.
   double reach() const { return reach_; }
+  /// One of every so many, ascending: about kSome, from all over the cloud.
+  const std::vector<NumberedPole>& some() const { return some_; }
 
  private:
   friend class PoleFinder;
+
+  static constexpr PoleNumber kSome = 512;
 
   PoleFile file_;
   std::vector<NodeKey> first_;  ///< of each block
   CoordinateRange range_;
   double reach_ = 0;
+  std::vector<NumberedPole> some_;
   mutable PageCache<PolePage> pages_;
 };
 

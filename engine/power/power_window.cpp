@@ -18,8 +18,8 @@ namespace {
 constexpr std::uint64_t kTestsAfterConflict = 60;
 /// So many tetrahedra that are not proved does a walk name at most.
 constexpr std::uint64_t kMostUnproven = 24;
-/// Of the cloud's poles so many are there from the start.
-constexpr PoleNumber kSomePoles = 512;
+/// Cells asked about at a time.
+constexpr std::size_t kAskedTogether = 16;
 /// Spheres are known well enough up to this share of the squared distance of samples, and what
 /// touches a sample up to that share of it counts as touching it.
 constexpr double kMostError = 1e-2;
@@ -61,24 +61,26 @@ void PowerCounts::add(const PowerCounts& other) {
   rounds += other.rounds;
   walks += other.walks;
   tests += other.tests;
-  insert_seconds += other.insert_seconds;
-  walk_seconds += other.walk_seconds;
-  prove_seconds += other.prove_seconds;
+  seconds.add(other.seconds);
 }
 
 /// What is closer than orthogonal to the sphere of a cell of the power diagram?
 struct PowerWindow::Question {
-  CellId cell;
-  std::array<VertexId, 4> poles;
+  static constexpr CellId kNone = SamplePoles::kNoCell;
+
+  CellId cell = kNone;
+  std::array<CellId, 4> starts{kNone, kNone, kNone, kNone};  ///< tetrahedra of its poles
+  std::optional<VertexId> sample = std::nullopt;             ///< that all four touch
   bool is_infinite = false;
   std::optional<Orthosphere> sphere = std::nullopt;  ///< nothing: ask the exact predicate
-  Point3 normal = {};  ///< of an infinite cell's hull facet, outward
+  Point3 normal = {};                                ///< of an infinite cell's hull facet, outward
 };
 
 PowerWindow::PowerWindow(CertifiedWindow& samples, const PoleIndex& index, PoleFinder& finder)
     : samples_(samples),
       poles_(samples, finder),
-      some_step_(std::max<PoleNumber>(1, index.count() / kSomePoles)),
+      walk_(std::in_place, samples),
+      some_(index.some()),
       reach_{.reach = index.reach(), .rounding = kPoleRounding},
       power_({.range = index.range()}) {}
 
@@ -87,8 +89,11 @@ PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t m
   const double square = typical_square(samples_.view());
   reach_.most_error = kMostError * square;
   tie_error_ = kTieError * square;
-  poles_.add_owned(owned);
-  poles_.add_some(some_step_);
+  {
+    const ThreadClock clock(counts_.seconds.touching);
+    poles_.add_owned(owned);
+  }
+  poles_.add_some(some_);
   if (!close_owned()) return Outcome::kOutgrown;
   while (poles_.owned_count() != 0) {
     ++counts_.rounds;
@@ -108,22 +113,26 @@ PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t m
 // nearly all proved then, and few have to be repeated.
 bool PowerWindow::close_owned() {
   std::vector<std::pair<VertexId, CellId>> open;
-  for (VertexId v = 0; v < poles_.owned_count(); ++v) {
-    const CellId cell = poles_[v].cell;
-    for (const VertexId sample : samples_.view().delaunay().view().vertices(cell)) {
-      if (!close(sample, cell)) open.emplace_back(sample, cell);
+  {
+    const ThreadClock clock(counts_.seconds.touching);
+    for (VertexId v = 0; v < poles_.owned_count(); ++v) {
+      const CellId cell = poles_[v].cell;
+      for (const VertexId sample : samples_.view().delaunay().view().vertices(cell)) {
+        if (!close(sample, cell)) open.emplace_back(sample, cell);
+      }
     }
   }
   while (!unproven_.empty()) {
     samples_.breathe();
     if (!prove()) return false;
+    const ThreadClock clock(counts_.seconds.touching);
     std::erase_if(open, [this](const auto& at) { return close(at.first, at.second); });
   }
   return true;
 }
 
 bool PowerWindow::prove() {
-  const ThreadClock clock(counts_.prove_seconds);
+  const ThreadClock clock(counts_.seconds.prove);
   const std::uint64_t others = bytes() - samples_.bytes();
   if (others >= memory_bytes_) return false;
   return samples_.prove(unproven_, memory_bytes_ - others) == Outcome::kDone;
@@ -131,120 +140,126 @@ bool PowerWindow::prove() {
 
 std::uint64_t PowerWindow::bytes() const {
   return samples_.bytes() + power_.bytes() + poles_.bytes() + done_.capacity() / 8 +
-         (closed_.capacity() + stamps_.capacity()) * sizeof(std::uint32_t) +
-         (walk_.capacity() + unproven_.capacity()) * sizeof(CellId);
+         (walk_ ? walk_->bytes() : 0) + closed_.capacity() * sizeof(std::uint32_t) +
+         unproven_.capacity() * sizeof(CellId);
 }
 
 bool PowerWindow::insert_added() {
-  const ThreadClock clock(counts_.insert_seconds);
+  const ThreadClock clock(counts_.seconds.insert);
   const std::vector<WeightedPoint3> sites = poles_.take_added();
   const std::uint64_t others = bytes() - power_.bytes() + sites.size() * sizeof(WeightedPoint3);
   if (others >= memory_bytes_) return false;
   power_.set_max_bytes(memory_bytes_ - others);
   const auto outcome = power_.insert(sites);
   if (outcome == RegularTriangulation::Outcome::kBadRange) {
-    throw InputError("the balls of the cloud are too far apart in size for exact arithmetic; "
-                     "use --surface solid, or leave far points out");
+    throw InputError(
+        "the balls of the cloud are too far apart in size for exact arithmetic; "
+        "use --surface solid, or leave far points out");
   }
   return outcome != RegularTriangulation::Outcome::kOutgrown;
 }
 
 void PowerWindow::ask_all() {
-  const ThreadClock clock(counts_.walk_seconds);
+  const ThreadClock clock(counts_.seconds.walk);
   const WeightedCellView cells = power_.view();
   done_.resize(cells.slots());
+  std::array<CellId, kAskedTogether> some;
+  std::size_t count = 0;
   for (CellId cell = 0; cell < cells.slots(); ++cell) {
     if (!cells.is_live(cell) || done_[cell]) continue;
     const auto v = cells.vertices(cell);
-    if (std::min(std::min(v[0], v[1]), std::min(v[2], v[3])) < poles_.owned_count()) ask(cell);
+    if (std::min(std::min(v[0], v[1]), std::min(v[2], v[3])) >= poles_.owned_count()) continue;
+    cells.prefetch_points(cell);
+    for (const VertexId pole : v) {
+      if (pole != RegularTriangulation::kInfinite) poles_.prefetch(pole);
+    }
+    some[count++] = cell;
+    if (count == some.size()) ask(some), count = 0;
   }
+  ask(std::span(some).first(count));
+}
+
+// Several at once, so that the memory that one needs is fetched while others are dealt with.
+void PowerWindow::ask(std::span<const CellId> cells) {
+  const CellView samples = samples_.view().delaunay().view();
+  std::array<Question, kAskedTogether> questions;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    questions[i] = question(cells[i]);
+    for (const CellId start : questions[i].starts) {
+      if (start != SamplePoles::kNoCell) samples.prefetch(start);
+    }
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const CellId start : questions[i].starts) {
+      if (start == SamplePoles::kNoCell) continue;
+      for (int side = 0; side < 4; ++side) walk_->prefetch(samples.neighbor(start, side));
+    }
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) answer(questions[i]);
+}
+
+PowerWindow::Question PowerWindow::question(CellId cell) const {
+  const WeightedCellView cells = power_.view();
+  Question question{.cell = cell};
+  const auto v = cells.vertices(cell);
+  for (int i = 0; i < 4; ++i) {
+    if (v[i] != RegularTriangulation::kInfinite) question.starts[i] = poles_[v[i]].cell;
+  }
+  if (cells.is_infinite(cell)) {
+    question.is_infinite = true;
+    question.normal =
+        outward_normal(cells.point(v[0]).point, cells.point(v[1]).point, cells.point(v[2]).point);
+    return question;
+  }
+  question.sphere = orthosphere(
+      {cells.point(v[0]), cells.point(v[1]), cells.point(v[2]), cells.point(v[3])}, reach_);
+  const bool may_tie = question.sphere && question.sphere->error < tie_error_;
+  if (may_tie) question.sample = poles_.common_sample(v);
+  return question;
 }
 
 // A final cell is never destroyed, so `done_` stays true of its slot.
-void PowerWindow::ask(CellId cell) {
-  const WeightedCellView cells = power_.view();
-  Question question{.cell = cell, .poles = cells.vertices(cell)};
-  const auto& v = question.poles;
-  if (cells.is_infinite(cell)) {
-    question.is_infinite = true;
-    question.normal = outward_normal(cells.point(v[0]).point, cells.point(v[1]).point,
-                                     cells.point(v[2]).point);
-  } else {
-    question.sphere = orthosphere(
-        {cells.point(v[0]), cells.point(v[1]), cells.point(v[2]), cells.point(v[3])}, reach_);
-    const bool may_tie = question.sphere && question.sphere->error < tie_error_;
-    const auto sample = may_tie ? poles_.common_sample(v) : std::nullopt;
-    if (sample) {
-      const auto known = std::find_if(v.begin(), v.end(), [this](VertexId pole) {
-        return poles_[pole].cell != SamplePoles::kNoCell;
-      });
-      done_[cell] = close(*sample, poles_[*known].cell) && closed_[*sample] <= counts_.rounds;
-      return;
-    }
+void PowerWindow::answer(const Question& question) {
+  if (!question.sample) {
+    walk(question);
+    return;
   }
-  walk(question);
-}
-
-void PowerWindow::begin_walk() {
-  stamps_.resize(samples_.view().delaunay().view().slots());
-  ++walk_number_;
-  ++counts_.walks;
-  walk_.clear();
-}
-
-/// Whether this walk comes by for the first time.
-bool PowerWindow::visit(CellId cell) {
-  if (stamps_[cell] == walk_number_) return false;
-  stamps_[cell] = walk_number_;
-  return true;
-}
-
-// What the walk has not come by yet beside the tetrahedra of `walk_` from `begin` on: all together,
-// so that memory is fetched for many at a time.
-void PowerWindow::find_neighbors(const CellView& cells, std::size_t begin) {
-  neighbors_.clear();
-  for (std::size_t i = begin; i < walk_.size(); ++i) {
-    for (int side = 0; side < 4; ++side) {
-      const CellId next = cells.neighbor(walk_[i], side);
-      if (!visit(next)) continue;
-      cells.prefetch(next);
-      neighbors_.push_back(next);
-    }
-  }
-  for (const CellId next : neighbors_) {
-    if (!cells.is_infinite(next)) cells.prefetch_points(next);
-  }
+  const auto known = std::find_if(question.starts.begin(), question.starts.end(),
+                                  [](CellId start) { return start != SamplePoles::kNoCell; });
+  done_[question.cell] =
+      close(*question.sample, *known) && closed_[*question.sample] <= counts_.rounds;
 }
 
 void PowerWindow::walk(const Question& question) {
-  const CellView cells = samples_.view().delaunay().view();
-  begin_walk();
-  for (const VertexId pole : question.poles) {
-    if (pole == RegularTriangulation::kInfinite) continue;
-    const CellId start = poles_[pole].cell;
-    if (start != SamplePoles::kNoCell && visit(start)) walk_.push_back(start);
+  walk_->begin();
+  ++counts_.walks;
+  if (question.sphere) walk_->aim(*question.sphere);
+  for (const CellId start : question.starts) {
+    if (start != SamplePoles::kNoCell && walk_->visit(start)) walk_->add(start);
   }
   std::uint64_t tests = 0;
   std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
   const std::size_t most_unproven = unproven_.size() + kMostUnproven;
   bool is_final = true;
-  for (std::size_t begin = 0; begin < walk_.size() && tests < most;) {
-    find_neighbors(cells, begin);
-    begin = walk_.size();
-    for (const CellId next : neighbors_) {
+  while (tests < most) {
+    const std::vector<CellId>& neighbors = walk_->step();
+    if (neighbors.empty()) break;
+    for (const CellId next : neighbors) {
+      if (!walk_->visit(next)) continue;
       ++tests;
-      if (!samples_.is_final(next)) {
+      const BallWalk::Kind kind = walk_->kind(next);
+      if (kind == BallWalk::Kind::kNotFinal) {
         is_final = false;
         unproven_.push_back(next);
         if (unproven_.size() >= most_unproven) most = 0;
         continue;
       }
-      if (cells.is_infinite(next)) {
-        if (is_seen(question, next)) walk_.push_back(next);
+      if (kind == BallWalk::Kind::kInfinite) {
+        if (is_seen(question, next)) walk_->add(next);
         continue;
       }
-      if (!is_closer(question, cells, next)) continue;
-      walk_.push_back(next);
+      if (!is_closer(question, next)) continue;
+      walk_->add(next);
       const SamplePoles::State state = poles_.state(next);
       if (state != SamplePoles::State::kMissing && state != SamplePoles::State::kAdded) continue;
       if (!power_.in_conflict(question.cell, poles_.site(next))) continue;
@@ -264,38 +279,40 @@ bool PowerWindow::close(VertexId sample, CellId start) {
   if (closed_.size() <= sample) closed_.resize(samples_.view().delaunay().vertex_count());
   if (closed_[sample] != 0) return true;
   const CellView cells = samples_.view().delaunay().view();
-  const Orthosphere sphere{cells.point(sample), 0, tie_error_};
-  begin_walk();
-  visit(start);
-  walk_.push_back(start);
+  walk_->begin();
+  ++counts_.walks;
+  walk_->aim({cells.point(sample), 0, tie_error_});
+  walk_->visit(start);
+  walk_->add(start);
   poles_.add_missing(start);
   bool is_closed = true;
-  for (std::size_t begin = 0; begin < walk_.size();) {
-    find_neighbors(cells, begin);
-    begin = walk_.size();
-    for (const CellId next : neighbors_) {
-      if (!samples_.is_final(next)) {
+  for (;;) {
+    const std::vector<CellId>& neighbors = walk_->step();
+    if (neighbors.empty()) break;
+    for (const CellId next : neighbors) {
+      if (!walk_->visit(next)) continue;
+      const BallWalk::Kind kind = walk_->kind(next);
+      if (kind == BallWalk::Kind::kNotFinal) {
         unproven_.push_back(next);
         is_closed = false;
         continue;
       }
-      const auto v = cells.vertices(next);
-      const bool touches = std::find(v.begin(), v.end(), sample) != v.end();
-      if (!touches && (cells.is_infinite(next) || !may_conflict(corners(cells, next), sphere))) {
-        continue;
+      if (kind == BallWalk::Kind::kInfinite) {
+        const auto v = cells.vertices(next);
+        if (std::find(v.begin(), v.end(), sample) != v.end()) walk_->add(next);
+      } else if (walk_->in_conflict(next)) {
+        walk_->add(next);
+        poles_.add_missing(next);
       }
-      walk_.push_back(next);
-      if (!cells.is_infinite(next)) poles_.add_missing(next);
     }
   }
   if (is_closed) closed_[sample] = static_cast<std::uint32_t>(counts_.rounds) + 1;
   return is_closed;
 }
 
-bool PowerWindow::is_closer(const Question& question, const CellView& cells, CellId cell) {
-  const std::array<Point3, 4> tetrahedron = corners(cells, cell);
-  if (question.sphere) return may_conflict(tetrahedron, *question.sphere);
-  const Circumball ball = circumball(tetrahedron);
+bool PowerWindow::is_closer(const Question& question, CellId cell) {
+  if (question.sphere) return walk_->in_conflict(cell);
+  const Circumball ball = circumball(corners(samples_.view().delaunay().view(), cell));
   const double weight = dot(ball.centre, ball.centre) + tie_error_;
   return power_.in_conflict(question.cell, {plus(ball.origin, ball.centre), weight});
 }

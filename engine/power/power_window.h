@@ -8,7 +8,7 @@
 // Guarantees: after build() returned kDone, no pole of the cloud is in conflict with a cell of the
 // triangulation that has an owned pole, so that these are cells of the regular triangulation of all
 // poles; windows that own all samples own every pole inside, each once.
-// Thread rule: one thread. Memory: bytes(): the samples' window, 5 bytes a tetrahedron of it more,
+// Thread rule: one thread. Memory: bytes(): the samples' window, 1 byte a tetrahedron of it more,
 // and about 1 KB an owned pole. Cost: 50 to 80 us an owned pole, in 16 walks of 33 tests each; two
 // thirds of it walking. Source: docs/algorithms/weighted.md
 #pragma once
@@ -16,11 +16,13 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "engine/power/ball_walk.h"
+#include "engine/power/power_seconds.h"
 #include "engine/power/sample_poles.h"
 #include "engine/windows/certified_window.h"
-#include "spatial/cell_view.h"
 #include "spatial/orthosphere.h"
 #include "spatial/regular_triangulation.h"
 
@@ -30,11 +32,9 @@ struct PowerCounts {
   std::uint64_t owned = 0;   ///< poles
   std::uint64_t guests = 0;  ///< other poles in the diagram
   std::uint64_t rounds = 0;
-  std::uint64_t walks = 0;    ///< one for each cell asked about, and for each sample closed
-  std::uint64_t tests = 0;    ///< of a tetrahedron against the sphere of a cell
-  double insert_seconds = 0;  ///< of one thread
-  double walk_seconds = 0;
-  double prove_seconds = 0;
+  std::uint64_t walks = 0;  ///< one for each cell asked about, and for each sample closed
+  std::uint64_t tests = 0;  ///< of a tetrahedron against the sphere of a cell
+  PowerSeconds seconds;
 
   void add(const PowerCounts& other);
 };
@@ -52,6 +52,9 @@ class PowerWindow {
   /// \throw IoError, Interrupted; InputError balls whose sizes exact arithmetic cannot hold
   Outcome build(const OwnedRange& owned, std::uint64_t memory_bytes);
 
+  /// Gives back what only build() needs.
+  void forget_walks() { walk_.reset(); }
+
   const CertifiedWindow& samples() const { return samples_; }
   /// By vertex of triangulation(), owned ones first.
   const SamplePoles& poles() const { return poles_; }
@@ -67,18 +70,18 @@ class PowerWindow {
   bool prove();
   bool insert_added();
   void ask_all();
-  void ask(CellId cell);
+  void ask(std::span<const CellId> cells);
+  Question question(CellId cell) const;
+  void answer(const Question& question);
   void walk(const Question& question);
   bool close(VertexId sample, CellId start);
-  void begin_walk();
-  bool visit(CellId cell);
-  void find_neighbors(const CellView& cells, std::size_t begin);
-  bool is_closer(const Question& question, const CellView& cells, CellId cell);
+  bool is_closer(const Question& question, CellId cell);
   bool is_seen(const Question& question, CellId infinite) const;
 
   CertifiedWindow& samples_;
   SamplePoles poles_;
-  PoleNumber some_step_;
+  std::optional<BallWalk> walk_;
+  std::span<const NumberedPole> some_;
   OrthosphereReach reach_;
   double tie_error_ = 0;  ///< balls whose power to a sample is smaller count as touching it
   std::uint64_t memory_bytes_ = 0;
@@ -86,10 +89,6 @@ class PowerWindow {
   std::vector<bool> done_;  ///< cells of the power diagram without conflict
   /// Of samples: the round since which all poles that touch it are there; 0 if that is not known.
   std::vector<std::uint32_t> closed_;
-  std::vector<std::uint32_t> stamps_;  ///< of tetrahedra: the last walk that came by
-  std::uint32_t walk_number_ = 0;
-  std::vector<CellId> walk_;       ///< tetrahedra in conflict, neighbours to be looked at
-  std::vector<CellId> neighbors_;  ///< to be tested
   std::vector<CellId> unproven_;
   PowerCounts counts_;
 };

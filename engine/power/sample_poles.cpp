@@ -1,6 +1,7 @@
 #include "engine/power/sample_poles.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "spatial/cell_view.h"
 
@@ -15,46 +16,52 @@ NodeKey SamplePoles::name_of(CellId cell) const {
   return name;
 }
 
-void SamplePoles::add(PoleNumber number, CellId cell) {
-  const Pole& pole = finder_.pole(number);
+void SamplePoles::add(PoleNumber number, const Pole& pole, CellId cell) {
   entries_.push_back({number, cell, pole.tetrahedron, pole.is_inside != 0});
   added_.push_back(site_of(pole));
 }
 
-// All tetrahedra of owned samples are final, so that every owned pole meets its cell.
 void SamplePoles::add_owned(const OwnedRange& owned) {
   const PoleNumber begin = finder_.lower_bound(static_cast<std::uint32_t>(owned.first));
   const PoleNumber end = finder_.lower_bound(static_cast<std::uint32_t>(owned.end()));
   for (PoleNumber number = begin; number < end; ++number) {
-    if (finder_.pole(number).is_inside != 0) add(number, kNoCell);
+    if (finder_.pole(number).is_inside != 0) add(number, finder_.pole(number), kNoCell);
   }
   owned_count_ = count();
+  find_cells_of_owned(owned);
+}
+
+// All tetrahedra of owned samples are final, so that every owned pole meets its cell.
+void SamplePoles::find_cells_of_owned(const OwnedRange& owned) {
+  std::vector<VertexId> first(owned.count + 1);  // entry of a lowest sample
+  for (VertexId entry = 0; entry < owned_count_; ++entry) {
+    ++first[entries_[entry].name.ranks[0] - owned.first + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
   const CellView cells = samples_.view().delaunay().view();
   states_.assign(cells.slots(), State::kUnknown);
   for (CellId cell = 0; cell < cells.slots(); ++cell) {
     if (!samples_.is_final(cell) || cells.is_infinite(cell)) continue;
-    const PoleNumber number = finder_.find(name_of(cell));
-    // What is a pole is not asked about here: add_some() may add it.
-    if (number == kNoPole) states_[cell] = State::kNotAPole;
-    const auto at = std::lower_bound(
-        entries_.begin(), entries_.end(), number,
-        [](const Entry& entry, PoleNumber sought) { return entry.number < sought; });
-    if (at == entries_.end() || at->number != number) continue;
-    at->cell = cell;
-    states_[cell] = State::kAdded;
+    const NodeKey name = name_of(cell);
+    if (name.ranks[0] < owned.first || name.ranks[0] >= owned.end()) continue;
+    const std::uint64_t lowest = name.ranks[0] - owned.first;
+    for (VertexId entry = first[lowest]; entry < first[lowest + 1]; ++entry) {
+      if (entries_[entry].name != name) continue;
+      entries_[entry].cell = cell;
+      states_[cell] = State::kAdded;
+    }
   }
 }
 
-void SamplePoles::add_some(PoleNumber step) {
+void SamplePoles::add_some(std::span<const NumberedPole> some) {
   std::vector<PoleNumber> here;
   here.reserve(entries_.size());
   for (const Entry& entry : entries_) here.push_back(entry.number);
   std::sort(here.begin(), here.end());
-  for (std::uint64_t number = 0; number < finder_.count(); number += step) {
-    const auto some = static_cast<PoleNumber>(number);
-    if (std::binary_search(here.begin(), here.end(), some)) continue;
-    loose_.push_back(some);
-    add(some, kNoCell);
+  for (const NumberedPole& pole : some) {
+    if (std::binary_search(here.begin(), here.end(), pole.number)) continue;
+    loose_.push_back(pole.number);
+    add(pole.number, pole.pole, kNoCell);
   }
 }
 
@@ -75,7 +82,8 @@ SamplePoles::State SamplePoles::state(CellId cell) {
 
 void SamplePoles::add_missing(CellId cell) {
   if (state(cell) != State::kMissing) return;
-  add(finder_.find(name_of(cell)), cell);
+  const PoleNumber number = finder_.find(name_of(cell));
+  add(number, finder_.pole(number), cell);
   states_[cell] = State::kAdded;
 }
 

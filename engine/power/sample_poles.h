@@ -36,9 +36,8 @@ class SamplePoles {
   /// All poles inside the body whose lowest sample is in the range. \pre Called first, once.
   /// \throw IoError
   void add_owned(const OwnedRange& owned);
-  /// One of every `step` poles of the cloud, without cells. \pre Called after add_owned(), once.
-  /// \throw IoError
-  void add_some(PoleNumber step);
+  /// These as well, without cells. \pre Ascending. Called after add_owned(), once.
+  void add_some(std::span<const NumberedPole> some);
   /// Adds the final cell's pole, if it is one and not there yet. \throw IoError
   void add_missing(CellId cell);
 
@@ -57,6 +56,7 @@ class SamplePoles {
   VertexId owned_count() const { return owned_count_; }
   bool has_added() const { return !added_.empty(); }
   const Entry& operator[](VertexId v) const { return entries_[v]; }
+  void prefetch(VertexId v) const { __builtin_prefetch(&entries_[v]); }
   /// The sample that all of these touch, of several that of the lowest rank, as a vertex of the
   /// window; nothing if there is none, or none of them has a cell.
   std::optional<VertexId> common_sample(std::span<const VertexId> poles) const;
@@ -65,7 +65,8 @@ class SamplePoles {
 
  private:
   NodeKey name_of(CellId cell) const;
-  void add(PoleNumber number, CellId cell);
+  void find_cells_of_owned(const OwnedRange& owned);
+  void add(PoleNumber number, const Pole& pole, CellId cell);
 
   const CertifiedWindow& samples_;
   PoleFinder& finder_;
