@@ -10,6 +10,7 @@
 
 #include "engine/crust/crust_faces.h"
 #include "engine/parallel.h"
+#include "engine/shape/shape_store.h"
 #include "engine/size_text.h"
 
 namespace stream_recon {
@@ -36,8 +37,8 @@ Plan plan_for(const CloudIndex& index, const CrustWindowOptions& options,
               const MemoryBudget& budget) {
   Plan plan{};
   const std::uint64_t available = budget.available();
-  const std::uint64_t fixed = CertifiedWindow::fixed_memory(index) + PoleFinder::kMemory +
-                              record_file_memory(kBlock);
+  const std::uint64_t fixed =
+      CertifiedWindow::fixed_memory(index) + PoleFinder::kMemory + record_file_memory(kBlock);
   const std::uint64_t least_cache = IndexCaches::least_memory(1);
   const std::uint64_t least = 2 * least_cache + fixed + (std::uint64_t{8} << 20);
   if (available < least) {
@@ -63,8 +64,8 @@ Plan plan_for(const CloudIndex& index, const CrustWindowOptions& options,
   points = std::max(points, kLeafPoints);
   std::uint64_t windows = quotient_up(index.point_count, points);
   windows = quotient_up(windows, plan.threads) * plan.threads;
-  plan.window_points = quotient_up(quotient_up(index.point_count, windows), kLeafPoints) *
-                       kLeafPoints;
+  plan.window_points =
+      quotient_up(quotient_up(index.point_count, windows), kLeafPoints) * kLeafPoints;
   return plan;
 }
 
@@ -77,13 +78,12 @@ class WindowLoop {
   WindowLoop(const CloudIndex& index, const CrustWindowOptions& options, const Plan& plan,
              const StageContext& context)
       : index_(index),
-        far_ranks_(options.far_ranks),
+        options_(options),
         plan_(plan),
         context_(context),
-        memory_(context.budget.reserve(
-            plan.cache_bytes + plan.pole_pages * PoleIndex::kPageMemory +
-                plan.threads * (plan.fixed_bytes + plan.window_bytes),
-            "the windows of the crust")),
+        memory_(context.budget.reserve(plan.cache_bytes + plan.pole_pages * PoleIndex::kPageMemory +
+                                           plan.threads * (plan.fixed_bytes + plan.window_bytes),
+                                       "the windows of the crust")),
         poles_(context.scratch, plan.pole_pages),
         caches_(context.scratch, index, plan.cache_bytes) {}
 
@@ -130,12 +130,27 @@ class WindowLoop {
     if (samples.build(owned, plan_.window_bytes) != Outcome::kDone) return false;
     std::optional<PowerWindow> power(std::in_place, samples, poles_, finder);
     if (power->build(owned, plan_.window_bytes) != Outcome::kDone) return false;
-    if (power->bytes() + crust_faces_memory(*power) > plan_.window_bytes) return false;
-    const CrustFaces faces = crust_faces(*power, {reserve_number(), far_ranks_});
+    if (power->bytes() + faces_memory(*power) > plan_.window_bytes) return false;
+    if (options_.has_shape) write_shape(owned, shape_faces(*power));
+    const std::uint32_t number = reserve_number();
+    CrustFaces faces;
+    if (options_.has_crust) faces = crust_faces(*power, {number, options_.far_ranks});
     const PowerCounts counts = power->counts();
     power.reset();
     write(owned, faces, counts);
     return true;
+  }
+
+  std::uint64_t faces_memory(const PowerWindow& power) const {
+    return std::max(options_.has_crust ? crust_faces_memory(power) : 0,
+                    options_.has_shape ? shape_faces_memory(power) : 0);
+  }
+
+  void write_shape(const OwnedRange& owned, const ShapeFaces& shape) {
+    write_shape_window(context_.scratch, owned.first, shape.faces);
+    const std::lock_guard lock(mutex_);
+    result_.shape_windows.push_back(owned.first);
+    result_.shape.add(shape.counts);
   }
 
   std::uint32_t reserve_number() {
@@ -179,7 +194,7 @@ class WindowLoop {
   }
 
   const CloudIndex& index_;
-  std::span<const std::uint32_t> far_ranks_;
+  const CrustWindowOptions& options_;
   const Plan plan_;
   const StageContext& context_;
   Reservation memory_;
