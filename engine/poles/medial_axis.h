@@ -6,7 +6,7 @@
 // those of the chunk. So the bytes are a function of the cloud, the options and the chunk layout
 // alone. Chunks without balls are not written. Thread rule: one caller; works on all threads that
 // the memory allows. Memory: 16 bytes a chunk, with faces 48; a chunk a thread: 93 bytes a ball and
-// 4 MB; with faces 101 bytes a ball, 12 a face, up to 109 a corner in a later chunk.
+// 4 MB; with faces 8 more a ball, 12 a face, and 117 a ball of later chunks.
 #pragma once
 
 #include "engine/chunks/chunk_layout.h"
