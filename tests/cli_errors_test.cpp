@@ -87,6 +87,8 @@ TEST_F(Refusals, OfUsageAre64) {
       {"cube.ply --surface none --medial-axis m.pvtp --medial-axis-faces --medial-axis-side both", 64,
        "between inner balls"},
       {"cube.ply -o out.pvtp --surface crust --medial-axis-faces", 64, "add that"},
+      {"cube.ply -o out.pvtp --pole-tolerance 1", 64, "--surface crust and --medial-axis"},
+      {"cube.ply -o out.pvtp --surface crust --pole-tolerance=-1", 64, "0 or more"},
       {"cube.ply -o out.pvtp --medial-axis m.pvtp --unused m/u.ply", 64, "one place"},
       {"cube.ply --surface none --medial-axis m.pvtp --open 4", 64, "--surface solid"},
       {"cube.ply --surface none --medial-axis m.pvtp --spacing 0", 64, "--spacing"},

@@ -12,6 +12,7 @@
 #include <optional>
 #include <ostream>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,15 @@ std::vector<Point3> surface_points(int count, const std::function<Point3(double,
   return points;
 }
 
+/// A torus of tube 1.
+std::vector<Point3> torus_points(int count) {
+  return surface_points(count, [](double u, double v) {
+    const double r = 3 + std::cos(6.2831853 * u);
+    return Point3{r * std::cos(6.2831853 * v), r * std::sin(6.2831853 * v),
+                  std::sin(6.2831853 * u)};
+  });
+}
+
 TEST(MedialAxis, OfASphereIsItsMiddle) {
   const CommandFolder folder;
   put_cloud(
@@ -109,11 +119,7 @@ TEST(MedialAxis, OfASphereIsItsMiddle) {
 
 TEST(MedialAxis, OfATorusIsItsCoreCircle) {
   const CommandFolder folder;
-  put_cloud(folder, surface_points(12000, [](double u, double v) {
-              const double r = 3 + std::cos(6.2831853 * u);
-              return Point3{r * std::cos(6.2831853 * v), r * std::sin(6.2831853 * v),
-                            std::sin(6.2831853 * u)};
-            }));
+  put_cloud(folder, torus_points(12000));
   const auto report = report_of(folder, "--surface none --medial-axis m.pvtp --chunk-points 5000");
   EXPECT_EQ(report["surface"]["kind"], "none");
   const auto axis = axis_of(folder, "m.pvtp");
@@ -212,10 +218,71 @@ TEST(MedialAxis, OfARunThatFailsLeavesTheOlderOneAlone) {
 TEST(MedialAxis, IsNamedInThePageOfTheRun) {
   const CommandFolder folder;
   ASSERT_EQ(folder.run("make-cloud cube -n 2000 -o cloud.f64").exit_code, 0);
-  report_of(folder, "--surface none --medial-axis m.pvtp --html page.html");
+  report_of(folder, "--surface none --medial-axis m.pvtp --medial-axis-faces --html page.html");
   const std::string page = folder.bytes("page.html");
   EXPECT_NE(page.find("m.pvtp"), std::string::npos);
   EXPECT_NE(page.find("<h2>Poles</h2>"), std::string::npos);
+  EXPECT_NE(page.find("<h2>Power shape</h2>"), std::string::npos);
+}
+
+TEST(PoleTolerance, OfZeroChangesNothing) {
+  const CommandFolder folder;
+  put_cloud(folder, torus_points(3000));
+  const std::string run = "--surface none --medial-axis-side both --medial-axis ";
+  const auto plain = report_of(folder, run + "plain.pvtp");
+  const auto zero = report_of(folder, run + "zero.pvtp --pole-tolerance 0");
+  EXPECT_EQ(zero["poles"], plain["poles"]);
+  EXPECT_TRUE(folder.chunked_bytes("zero", ".pvtp") == folder.chunked_bytes("plain", ".pvtp"));
+}
+
+TEST(PoleTolerance, MakesNearBallsOneOfThemAndSaysHowMany) {
+  const CommandFolder folder;
+  put_cloud(folder, torus_points(3000));
+  const double tolerance = 0.01;
+  const std::string run = "--surface none --medial-axis-side both --medial-axis ";
+  const auto plain = report_of(folder, run + "plain.pvtp")["poles"];
+  const auto merged = report_of(folder, run + "merged.pvtp --pole-tolerance 0.01")["poles"];
+  EXPECT_LT(merged["inner"].get<int>(), plain["inner"].get<int>() * 3 / 4);
+  EXPECT_EQ(merged["count"].get<int>() + merged["coincident"].get<int>(),
+            plain["count"].get<int>() + plain["coincident"].get<int>());
+  const auto before = axis_of(folder, "plain.pvtp");
+  const auto after = axis_of(folder, "merged.pvtp");
+  if (!before || !after) GTEST_SKIP() << "install python3-vtk9";
+  EXPECT_EQ(after->balls.size(), merged["count"]);
+  using Key = std::array<double, 4>;
+  const auto key_of = [](const Ball& ball) {
+    return Key{ball.centre.x, ball.centre.y, ball.centre.z, ball.radius};
+  };
+  const auto rounded = [=](Key key) {
+    for (double& value : key) value = std::floor(value / tolerance + 0.5);
+    return key;
+  };
+  std::set<Key> all;
+  std::set<Key> places;
+  for (const Ball& ball : before->balls) {
+    all.insert(key_of(ball));
+    places.insert(rounded(key_of(ball)));
+  }
+  EXPECT_EQ(after->balls.size(), places.size());
+  for (const Ball& ball : after->balls) {
+    EXPECT_EQ(all.count(key_of(ball)), 1U) << "a ball was moved";
+    EXPECT_EQ(places.erase(rounded(key_of(ball))), 1U) << "two balls of one place";
+  }
+}
+
+TEST(PoleTolerance, OfASphereLeavesOneBallInside) {
+  const CommandFolder folder;
+  put_cloud(folder, surface_points(2000, [](double u, double v) {
+              const double z = 2 * u - 1;
+              const double r = std::sqrt(1 - z * z);
+              return Point3{5 + r * std::cos(6.2831853 * v), r * std::sin(6.2831853 * v), z};
+            }));
+  const std::string run = "--surface none --medial-axis m.pvtp --medial-axis-faces ";
+  const auto report = report_of(folder, run + "--pole-tolerance 1e-9");
+  EXPECT_EQ(report["poles"]["inner"], 1);
+  EXPECT_GT(report["poles"]["coincident"], 100);
+  EXPECT_EQ(report["shape"]["vertices"], 1);
+  EXPECT_EQ(report["shape"]["euler"], 1);
 }
 
 struct Body {
