@@ -12,6 +12,7 @@
 #include <ostream>
 #include <random>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,8 +64,10 @@ Cloud noise(std::size_t count) {
 /// Cospherical samples everywhere.
 Cloud lattice(int size) {
   Cloud cloud;
-  for (int i = 0; i < size * size * size; ++i) {
-    cloud.push_back({1.0 * (i % size), 1.0 * (i / size % size), 1.0 * (i / size / size)});
+  for (int z = 0; z < size; ++z) {
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) cloud.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+    }
   }
   return cloud;
 }
@@ -202,10 +205,10 @@ std::vector<ShapeFace> store_faces(const StageFixture& stage) {
     faces.push_back({{a, a + 1, a + 9}});
     if (a % 4 == 0) faces.push_back({{a, a + 10, kNoPole}});
   }
-  const auto second = std::find_if(faces.begin(), faces.end(),
-                                   [](const ShapeFace& face) { return face.poles[0] >= 40; });
-  write_shape_window(stage.context.scratch, 700, {&*second, &*faces.end()});
-  write_shape_window(stage.context.scratch, 0, {&*faces.begin(), &*second});
+  const auto first = static_cast<std::size_t>(std::count_if(
+      faces.begin(), faces.end(), [](const ShapeFace& face) { return face.poles[0] < 40; }));
+  write_shape_window(stage.context.scratch, 700, std::span(faces).subspan(first));
+  write_shape_window(stage.context.scratch, 0, std::span(faces).first(first));
   store_shape({700, 0}, stage.context);
   return faces;
 }

@@ -1,7 +1,6 @@
 #include "engine/poles/medial_axis.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 #include "engine/chunks/chunk_numbers.h"
 #include "engine/chunks/chunk_vertices.h"
 #include "engine/order/point_store.h"
+#include "engine/poles/pole_chunks.h"
 #include "engine/poles/pole_store.h"
 #include "engine/shape/shape_chunks.h"
 
@@ -29,41 +29,6 @@ constexpr std::uint64_t kBallBytes = sizeof(Point3) + sizeof(double) + sizeof(fl
 constexpr std::uint64_t kCornersALaterBall = 4;
 
 constexpr const char* kHolder = "a chunk of the medial axis (a smaller --chunk-points needs less)";
-
-/// How many poles each chunk has, which lie in the store one chunk after the other.
-class PoleChunks {
- public:
-  PoleChunks(std::uint64_t chunks, MemoryBudget& budget)
-      : memory_(budget.reserve((chunks + 1) * sizeof(Chunk), "the chunks of the medial axis")),
-        chunks_(chunks + 1) {}
-
-  void add(std::uint64_t chunk, bool is_taken) {
-    ++chunks_[chunk + 1].first;
-    chunks_[chunk].taken += is_taken ? 1 : 0;
-  }
-  /// All are added.
-  void finish() {
-    for (std::size_t i = 1; i < chunks_.size(); ++i) chunks_[i].first += chunks_[i - 1].first;
-  }
-
-  std::vector<std::uint64_t> ends() const {
-    std::vector<std::uint64_t> ends;
-    for (std::size_t i = 1; i < chunks_.size(); ++i) ends.push_back(chunks_[i].first);
-    return ends;
-  }
-  std::uint64_t first(std::uint64_t chunk) const { return chunks_[chunk].first; }
-  std::uint64_t end(std::uint64_t chunk) const { return chunks_[chunk + 1].first; }
-  /// Of those that are taken.
-  std::uint64_t count(std::uint64_t chunk) const { return chunks_[chunk].taken; }
-
- private:
-  struct Chunk {
-    std::uint64_t first = 0;  ///< until finish(): how many the chunk before has
-    std::uint64_t taken = 0;
-  };
-  Reservation memory_;
-  std::vector<Chunk> chunks_;
-};
 
 struct ChunkBalls {
   Reservation memory;
