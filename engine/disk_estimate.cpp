@@ -21,6 +21,8 @@ constexpr std::uint64_t kPoles = 320;  // exports, sorted runs and the store sid
 constexpr std::uint64_t kPolesOutput = 90;
 constexpr std::uint64_t kCrust = 650;  // corners and triangles, two sorts, store and facets
 constexpr std::uint64_t kCrustOutput = 500;
+constexpr std::uint64_t kShape = 60;
+constexpr std::uint64_t kShapeOutput = 40;
 
 bool has_surface(const RunOptions& options) {
   return options.surface != SurfaceKind::kNone;
@@ -47,6 +49,7 @@ DiskEstimate estimate_disk(std::uint64_t points, const RunOptions& options) {
   if (has_surface(options) || has_axis) windows += kFacets;
   if (options.needs_poles()) windows += kPoles;
   if (is_crust(options)) windows += kCrust;
+  if (options.medial_axis_faces) windows += kShape;
   if (has_tetrahedra) windows += kTetrahedra;
   // A single file is put together from parts in scratch.
   if (has_surface(options) && !options.output.ends_with(".pvtp")) windows += surface_output;
@@ -54,6 +57,7 @@ DiskEstimate estimate_disk(std::uint64_t points, const RunOptions& options) {
   if (has_surface(options) && options.output != "-") outputs += surface_output;
   if (has_tetrahedra) outputs += kTetrahedraOutput;
   if (has_axis) outputs += kPolesOutput;
+  if (options.medial_axis_faces) outputs += kShapeOutput;
   return {points * std::max(kOrdering, windows), points * outputs};
 }
 

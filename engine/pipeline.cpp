@@ -73,12 +73,11 @@ class Pipeline {
     run_windows(cloud, layout);
     const ExportReader exports(context_.scratch, context_.budget);
     if (options_.needs_labels()) label(exports, layout);
-    if (surface_writer != nullptr) {
-      if (is_crust()) {
-        surface_crust(cloud, order, *surface_writer);
-      } else {
-        surface_cloud(cloud, layout, {surface_writer.get(), nullptr, unused_writer.get(), nullptr});
-      }
+    if (options_.needs_power()) {
+      const CrustSurface crust = divide(cloud, order);
+      if (surface_writer != nullptr) surface_crust(crust, *surface_writer);
+    } else if (surface_writer != nullptr) {
+      surface_cloud(cloud, layout, {surface_writer.get(), nullptr, unused_writer.get(), nullptr});
     }
     if (tetrahedra_writer != nullptr) {
       log_.run("tetrahedra", [&] {
@@ -113,7 +112,7 @@ class Pipeline {
     const CloudSummary cloud = log_.run("ingest", [&] {
       return ingest({.inputs = options_.inputs,
                      .format = options_.input_format,
-                     .adds_far_points = is_crust()},
+                     .adds_far_points = options_.needs_power()},
                     context_);
     });
     log_.add_bytes_read(cloud.bytes);
@@ -156,7 +155,7 @@ class Pipeline {
 
   std::unique_ptr<MedialAxisWriter> make_axis_writer() const {
     if (options_.medial_axis.empty()) return nullptr;
-    return std::make_unique<MedialAxisWriter>(options_.medial_axis);
+    return std::make_unique<MedialAxisWriter>(options_.medial_axis, options_.medial_axis_faces);
   }
 
   bool is_crust() const { return options_.surface == SurfaceKind::kCrust; }
@@ -202,9 +201,9 @@ class Pipeline {
           SpacingCache::memory(index.point_count, report_.threads, context_.budget.available());
       cache = context_.budget.reserve(bytes, "the spacings of points");
       spacings.emplace(context_.scratch, index, bytes);
-      evidence.emplace(*spacings, context_.stop,
-                       EvidenceOptions{.hands_on_poles = options_.needs_poles(),
-                                       .samples = cloud.points});
+      evidence.emplace(
+          *spacings, context_.stop,
+          EvidenceOptions{.hands_on_poles = options_.needs_poles(), .samples = cloud.points});
       consumers.push_back(&*evidence);
       stage.consumer_bytes_a_point = EvidenceCollector::kBytesAnOwnedPoint;
       stage.whole_stars = true;
@@ -227,8 +226,7 @@ class Pipeline {
     });
     if (!options_.needs_poles()) return;
     log_.run("poles", [&] {
-      report_.poles =
-          store_poles({exports, forest.labels}, options_.pole_tolerance, context_);
+      report_.poles = store_poles({exports, forest.labels}, options_.pole_tolerance, context_);
     });
   }
 
@@ -245,12 +243,12 @@ class Pipeline {
     const PoleSide side = options_.medial_axis_side;
     write_medial_axis({.layout = layout,
                        .takes_inner = side != PoleSide::kOuter,
-                       .takes_outer = side != PoleSide::kInner},
+                       .takes_outer = side != PoleSide::kInner,
+                       .has_faces = options_.medial_axis_faces},
                       writer, context_);
   }
 
-  void surface_cloud(const CloudSummary& cloud, const ChunkLayout& layout,
-                     const Writers& writers) {
+  void surface_cloud(const CloudSummary& cloud, const ChunkLayout& layout, const Writers& writers) {
     const ExportReader facets(context_.scratch, context_.budget,
                               is_solid() ? kLabelledPrefix : kExportPrefix);
     log_.run("surface", [&] {
@@ -262,21 +260,17 @@ class Pipeline {
     });
   }
 
-  void surface_crust(const CloudSummary& cloud, const OrderResult& order, SurfaceWriter& writer) {
-    const CrustSurface crust = log_.run("crust", [&] {
+  /// Space among the poles: the crust, the power shape, or both.
+  CrustSurface divide(const CloudSummary& cloud, const OrderResult& order) {
+    CrustSurface crust = log_.run(is_crust() ? "crust" : "power shape", [&] {
       return build_crust(cloud, order.point_count,
                          {.threads = report_.threads,
                           .window_points = options_.window_points,
-                          .chunk_points = options_.chunk_points},
+                          .chunk_points = options_.chunk_points,
+                          .has_crust = is_crust(),
+                          .has_shape = options_.medial_axis_faces},
                          context_);
     });
-    const ExportReader facets(context_.scratch, context_.budget, kCrustPrefix);
-    const ChunkLayout layout{options_.chunk_points, crust.facts.vertices};
-    log_.run("surface", [&] {
-      build_surface({facets, layout, kCrustPoints}, writer,
-                    {.is_solid = true, .splits = options_.manifold, .range = crust.facts.range});
-    });
-    report_.surface.samples_on_surface = crust.facts.samples;
     report_.power = {.windows = crust.windows,
                      .poles = crust.counts.owned,
                      .guests = crust.counts.guests,
@@ -285,6 +279,24 @@ class Pipeline {
                      .tests = crust.counts.tests,
                      .unbounded_faces = crust.unbounded,
                      .seconds = crust.counts.seconds};
+    if (options_.medial_axis_faces) {
+      report_.shape = {.vertices = crust.shape.vertices,
+                       .edges = crust.shape.edges,
+                       .bare_edges = crust.shape.bare_edges,
+                       .triangles = crust.shape.triangles,
+                       .tetrahedra = crust.shape.tetrahedra};
+    }
+    return crust;
+  }
+
+  void surface_crust(const CrustSurface& crust, SurfaceWriter& writer) {
+    const ExportReader facets(context_.scratch, context_.budget, kCrustPrefix);
+    const ChunkLayout layout{options_.chunk_points, crust.facts.vertices};
+    log_.run("surface", [&] {
+      build_surface({facets, layout, kCrustPoints}, writer,
+                    {.is_solid = true, .splits = options_.manifold, .range = crust.facts.range});
+    });
+    report_.surface.samples_on_surface = crust.facts.samples;
   }
 
   void build_surface(const ExportedFacets& facets, SurfaceWriter& writer,

@@ -41,8 +41,8 @@ struct RunOptions {
   std::vector<std::string> inputs;  ///< files, read one after the other; "-" is standard input
   InputFormat input_format = InputFormat::kAuto;
 
-  /// kCrust adds eight far points to the cloud, which the Delaunay structure and its figures in the
-  /// report then include (docs/algorithms/crust.md).
+  /// kCrust, and medial_axis_faces, add eight far points to the cloud, which the Delaunay structure
+  /// and its figures in the report then include (docs/algorithms/crust.md).
   SurfaceKind surface = SurfaceKind::kSolid;
   double delta_max_degrees = 90;  ///< gamma: facets below this angle, (0, 180]
   double alpha = 0;               ///< alpha: radius > 0, units of the input
@@ -66,6 +66,9 @@ struct RunOptions {
   /// kNone.
   std::string medial_axis;
   PoleSide medial_axis_side = PoleSide::kInner;
+  /// The medial axis has the triangles and edges between inner balls as well: the power shape. For
+  /// kInner, and kCrust or kNone.
+  bool medial_axis_faces = false;
   /// Poles whose centres and radii are equal, rounded to multiples of it, are one; units of the
   /// input, 0: those of the very same ball. For kCrust and medial axes.
   double pole_tolerance = 0;
@@ -94,6 +97,8 @@ struct RunOptions {
   bool needs_labels() const { return surface == SurfaceKind::kSolid || needs_poles(); }
   /// Whether the poles of the cloud are stored.
   bool needs_poles() const { return surface == SurfaceKind::kCrust || !medial_axis.empty(); }
+  /// Whether the power diagram of the poles is built, for which far points are added.
+  bool needs_power() const { return surface == SurfaceKind::kCrust || medial_axis_faces; }
 
   /// The folder that the scratch folder is made in.
   std::string scratch_parent() const;

@@ -61,6 +61,12 @@ Json power_json(const PowerReport& power) {
             {"faces", power.seconds.faces}}}};
 }
 
+Json shape_json(const ShapeReport& shape) {
+  return {{"vertices", shape.vertices},     {"edges", shape.edges},
+          {"bare_edges", shape.bare_edges}, {"triangles", shape.triangles},
+          {"tetrahedra", shape.tetrahedra}, {"euler", shape.euler()}};
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -119,6 +125,7 @@ std::string to_json(const Report& report) {
   if (report.input.spacing) json["input"]["spacing"] = *report.input.spacing;
   if (report.poles) json["poles"] = poles_json(*report.poles);
   if (report.power) json["power"] = power_json(*report.power);
+  if (report.shape) json["shape"] = shape_json(*report.shape);
   using Pointer = Json::json_pointer;
   return dump(json, {Pointer("/surface/delta_histogram"), Pointer("/memory_over_time/seconds"),
                      Pointer("/memory_over_time/resident_bytes")}) +

@@ -52,6 +52,21 @@ struct PowerReport {
   PowerSeconds seconds;
 };
 
+/// The power shape: simplices of the power diagram's dual whose poles are all inside.
+struct ShapeReport {
+  std::uint64_t vertices = 0;
+  std::uint64_t edges = 0;
+  std::uint64_t bare_edges = 0;  ///< of these: without a triangle
+  std::uint64_t triangles = 0;
+  std::uint64_t tetrahedra = 0;
+
+  /// That of the body.
+  std::int64_t euler() const {
+    return static_cast<std::int64_t>(vertices + triangles) -
+           static_cast<std::int64_t>(edges + tetrahedra);
+  }
+};
+
 struct Report {
   struct {
     std::uint64_t points = 0;      ///< as delivered, duplicates and rejected ones included
@@ -89,6 +104,7 @@ struct Report {
   } surface;
   std::optional<PoleReport> poles;  ///< where the run needed them
   std::optional<PowerReport> power;
+  std::optional<ShapeReport> shape;
   struct {
     std::uint64_t count = 0;
     std::uint64_t splits = 0;       ///< windows that were begun too large

@@ -56,6 +56,22 @@ void require_apart(const char* option, const std::string& path, const char* othe
                       option, path, other_option, other));
 }
 
+/// Its far points would change the surfaces of other kinds.
+void check_faces(const RunOptions& options) {
+  if (!options.medial_axis_faces) return;
+  require(!options.medial_axis.empty(),
+          "--medial-axis-faces is for --medial-axis OUT.pvtp; add that or leave it out");
+  const SurfaceKind kind = options.surface;
+  require(kind == SurfaceKind::kCrust || kind == SurfaceKind::kNone,
+          fmt::format("--medial-axis-faces needs far points, which --surface {} has not; use "
+                      "--surface crust or none",
+                      kind_name(kind)));
+  require(options.medial_axis_side == PoleSide::kInner,
+          fmt::format("--medial-axis-faces lie between inner balls, and --medial-axis-side is {}; "
+                      "leave one of them out",
+                      kPoleSideNames.at(static_cast<std::size_t>(options.medial_axis_side))));
+}
+
 void check_chunked(const RunOptions& options) {
   const std::string& tetrahedra = options.tetrahedra;
   const std::string& axis = options.medial_axis;
@@ -68,6 +84,7 @@ void check_chunked(const RunOptions& options) {
           fmt::format("--medial-axis needs an inside, and --surface {} has none; "
                       "use --surface solid, crust or none",
                       kind_name(kind)));
+  check_faces(options);
   const std::string surface = kind == SurfaceKind::kNone ? "" : options.output;
   require_apart("-o", surface, "--tetrahedra", tetrahedra);
   require_apart("-o", surface, "--medial-axis", axis);
@@ -109,9 +126,9 @@ void check_thresholds(const RunOptions& options) {
               "--spacing: give one length above 0 or three, SX,SY,SZ, in the units of the input");
     }
   }
-  require(options.pole_tolerance >= 0 &&
-              options.pole_tolerance <= std::numeric_limits<double>::max(),
-          "--pole-tolerance: give a length of 0 or more in the units of the input");
+  require(
+      options.pole_tolerance >= 0 && options.pole_tolerance <= std::numeric_limits<double>::max(),
+      "--pole-tolerance: give a length of 0 or more in the units of the input");
   require(options.surface != SurfaceKind::kAlpha || is_radius,
           "--surface alpha needs --alpha R, a radius above 0 in the units of the input");
 }

@@ -17,7 +17,8 @@
 
 namespace stream_recon {
 
-/// Numbers of the three vertices: GlobalPointId, or positions in the file where there are none.
+/// Numbers of the three vertices: PoleId or GlobalPointId, or positions in the file where there are
+/// none.
 using MeshTriangle = std::array<std::uint64_t, 3>;
 
 class MeshVisitor {

@@ -21,6 +21,7 @@ struct Piece {
   std::vector<std::uint8_t> source;
   std::vector<float> closure;
   std::vector<std::uint64_t> global_ids;
+  std::vector<std::uint64_t> pole_ids;
   std::vector<std::uint32_t> sheets;
 };
 
@@ -29,7 +30,7 @@ bool is_wanted(const VtpArray& array) {
     case VtpSection::kPoints:
       return true;
     case VtpSection::kPointData:
-      return array.name == "GlobalPointId" || array.name == "Sheet";
+      return array.name == "GlobalPointId" || array.name == "PoleId" || array.name == "Sheet";
     case VtpSection::kCellData:
       return array.name == "Delta" || array.name == "Source" || array.name == "Closure";
     case VtpSection::kPolys:
@@ -73,6 +74,8 @@ class MeshReader {
       read_integers(array, piece.offsets);
     } else if (array.name == "GlobalPointId") {
       read_integers(array, piece.global_ids);
+    } else if (array.name == "PoleId") {
+      read_integers(array, piece.pole_ids);
     } else if (array.name == "Sheet") {
       read_values<std::uint32_t>(array, {ScalarType::kUint32, ScalarType::kInt32}, piece.sheets);
     } else if (array.name == "Delta") {
@@ -161,7 +164,7 @@ class MeshReader {
     append(piece.delta, counts.cells_before_polys, mesh.delta);
     append(piece.source, counts.cells_before_polys, mesh.source);
     append(piece.closure, counts.cells_before_polys, mesh.closure);
-    append(piece.global_ids, 0, mesh.global_ids);
+    append(piece.pole_ids.empty() ? piece.global_ids : piece.pole_ids, 0, mesh.global_ids);
     append(piece.sheets, 0, mesh.sheets);
     check_whole(mesh.delta.size(), mesh.triangles.size());
     check_whole(mesh.source.size(), mesh.triangles.size());

@@ -21,7 +21,7 @@ struct VtpMesh {
   std::vector<float> delta;                             ///< cell data Delta of the triangles
   std::vector<std::uint8_t> source;                     ///< cell data Source of the triangles
   std::vector<float> closure;                           ///< cell data Closure of the triangles
-  std::vector<std::uint64_t> global_ids;                ///< point data GlobalPointId
+  std::vector<std::uint64_t> global_ids;                ///< point data PoleId, else GlobalPointId
   std::vector<std::uint32_t> sheets;                    ///< point data Sheet
 };
 

@@ -49,6 +49,27 @@ TEST(Crust, SplitIsAManifold) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error << outcome.out;
 }
 
+TEST(Crust, OfBallsMergedWithinATolerance) {
+  const CommandFolder folder;
+  ASSERT_EQ(folder.run("make-cloud blob -n 2000 -o cloud.ply").exit_code, 0);
+  const std::string run = "stream-recon cloud.ply --surface crust -o out.ply --report r.json";
+  ASSERT_EQ(folder.run(run).exit_code, 0);
+  const auto plain = folder.json("r.json");
+  const std::string bytes = folder.bytes("out.ply");
+  ASSERT_EQ(folder.run(run + " --pole-tolerance 0").exit_code, 0);
+  EXPECT_TRUE(folder.bytes("out.ply") == bytes);
+  ASSERT_EQ(folder.run(run + " --pole-tolerance 0.01").exit_code, 0);
+  const auto merged = folder.json("r.json");
+  EXPECT_GT(merged["poles"]["coincident"], 20);
+  EXPECT_EQ(merged["poles"]["count"].get<int>() + merged["poles"]["coincident"].get<int>(),
+            plain["poles"]["count"].get<int>() + plain["poles"]["coincident"].get<int>());
+  EXPECT_EQ(merged["power"]["poles"], merged["poles"]["inner"]);
+  EXPECT_EQ(merged["surface"]["boundary_edges"], 0);
+  EXPECT_EQ(merged["surface"]["euler"], 2);
+  const double volume = plain["surface"]["volume"];
+  EXPECT_NEAR(merged["surface"]["volume"].get<double>(), volume, 1e-3 * volume);
+}
+
 TEST(Crust, ComesWithItsMedialAxisAndTetrahedra) {
   const CommandFolder folder;
   ASSERT_EQ(folder.run("make-cloud blob -n 2000 -o cloud.ply").exit_code, 0);

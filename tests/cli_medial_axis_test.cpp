@@ -10,7 +10,9 @@
 #include <fstream>
 #include <functional>
 #include <optional>
+#include <ostream>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,18 +35,26 @@ struct Axis {
 };
 
 /// As VTK reads it; nothing where VTK is missing.
-std::optional<Axis> axis_of(const CommandFolder& folder, const std::string& index) {
+std::optional<nlohmann::json> facts_of(const CommandFolder& folder, const std::string& index) {
   const Outcome read =
       folder.run(STREAM_RECON_VTK_PYTHON " " STREAM_RECON_TESTS "/cli_medial_axis_check.py " +
                  index + " cloud.f64");
   // 77 is the script's word for a missing VTK, 127 the shell's for a missing Python.
   if (read.exit_code == 77 || read.exit_code == 127) return std::nullopt;
   EXPECT_EQ(read.exit_code, 0) << read.out << read.error;
-  Axis axis{{}, nlohmann::json::parse(read.out)};
+  return nlohmann::json::parse(read.out);
+}
+
+/// Without faces.
+std::optional<Axis> axis_of(const CommandFolder& folder, const std::string& index) {
+  const auto facts = facts_of(folder, index);
+  if (!facts) return std::nullopt;
+  Axis axis{{}, *facts};
   axis.balls.reserve(axis.facts["balls"].size());
   for (const auto& b : axis.facts["balls"]) {
     axis.balls.push_back({{b[0], b[1], b[2]}, b[3], b[4], b[5]});
   }
+  EXPECT_EQ(axis.facts["shape"], nullptr);
   EXPECT_EQ(axis.facts["vertices"], axis.balls.size());
   EXPECT_EQ(axis.facts["cells_by_index"], axis.balls.size());
   EXPECT_LT(axis.facts["off_sample"].get<double>(), 1e-9) << "a ball does not touch its sample";
@@ -75,6 +85,15 @@ std::vector<Point3> surface_points(int count, const std::function<Point3(double,
   return points;
 }
 
+/// A torus of tube 1.
+std::vector<Point3> torus_points(int count) {
+  return surface_points(count, [](double u, double v) {
+    const double r = 3 + std::cos(6.2831853 * u);
+    return Point3{r * std::cos(6.2831853 * v), r * std::sin(6.2831853 * v),
+                  std::sin(6.2831853 * u)};
+  });
+}
+
 TEST(MedialAxis, OfASphereIsItsMiddle) {
   const CommandFolder folder;
   put_cloud(
@@ -100,11 +119,7 @@ TEST(MedialAxis, OfASphereIsItsMiddle) {
 
 TEST(MedialAxis, OfATorusIsItsCoreCircle) {
   const CommandFolder folder;
-  put_cloud(folder, surface_points(12000, [](double u, double v) {
-              const double r = 3 + std::cos(6.2831853 * u);
-              return Point3{r * std::cos(6.2831853 * v), r * std::sin(6.2831853 * v),
-                            std::sin(6.2831853 * u)};
-            }));
+  put_cloud(folder, torus_points(12000));
   const auto report = report_of(folder, "--surface none --medial-axis m.pvtp --chunk-points 5000");
   EXPECT_EQ(report["surface"]["kind"], "none");
   const auto axis = axis_of(folder, "m.pvtp");
@@ -203,10 +218,158 @@ TEST(MedialAxis, OfARunThatFailsLeavesTheOlderOneAlone) {
 TEST(MedialAxis, IsNamedInThePageOfTheRun) {
   const CommandFolder folder;
   ASSERT_EQ(folder.run("make-cloud cube -n 2000 -o cloud.f64").exit_code, 0);
-  report_of(folder, "--surface none --medial-axis m.pvtp --html page.html");
+  report_of(folder, "--surface none --medial-axis m.pvtp --medial-axis-faces --html page.html");
   const std::string page = folder.bytes("page.html");
   EXPECT_NE(page.find("m.pvtp"), std::string::npos);
   EXPECT_NE(page.find("<h2>Poles</h2>"), std::string::npos);
+  EXPECT_NE(page.find("<h2>Power shape</h2>"), std::string::npos);
+}
+
+TEST(PoleTolerance, OfZeroChangesNothing) {
+  const CommandFolder folder;
+  put_cloud(folder, torus_points(3000));
+  const std::string run = "--surface none --medial-axis-side both --medial-axis ";
+  const auto plain = report_of(folder, run + "plain.pvtp");
+  const auto zero = report_of(folder, run + "zero.pvtp --pole-tolerance 0");
+  EXPECT_EQ(zero["poles"], plain["poles"]);
+  EXPECT_TRUE(folder.chunked_bytes("zero", ".pvtp") == folder.chunked_bytes("plain", ".pvtp"));
+}
+
+TEST(PoleTolerance, MakesNearBallsOneOfThemAndSaysHowMany) {
+  const CommandFolder folder;
+  put_cloud(folder, torus_points(3000));
+  const double tolerance = 0.01;
+  const std::string run = "--surface none --medial-axis-side both --medial-axis ";
+  const auto plain = report_of(folder, run + "plain.pvtp")["poles"];
+  const auto merged = report_of(folder, run + "merged.pvtp --pole-tolerance 0.01")["poles"];
+  EXPECT_LT(merged["inner"].get<int>(), plain["inner"].get<int>() * 3 / 4);
+  EXPECT_EQ(merged["count"].get<int>() + merged["coincident"].get<int>(),
+            plain["count"].get<int>() + plain["coincident"].get<int>());
+  const auto before = axis_of(folder, "plain.pvtp");
+  const auto after = axis_of(folder, "merged.pvtp");
+  if (!before || !after) GTEST_SKIP() << "install python3-vtk9";
+  EXPECT_EQ(after->balls.size(), merged["count"]);
+  using Key = std::array<double, 4>;
+  const auto key_of = [](const Ball& ball) {
+    return Key{ball.centre.x, ball.centre.y, ball.centre.z, ball.radius};
+  };
+  const auto rounded = [=](Key key) {
+    for (double& value : key) value = std::floor(value / tolerance + 0.5);
+    return key;
+  };
+  std::set<Key> all;
+  std::set<Key> places;
+  for (const Ball& ball : before->balls) {
+    all.insert(key_of(ball));
+    places.insert(rounded(key_of(ball)));
+  }
+  EXPECT_EQ(after->balls.size(), places.size());
+  for (const Ball& ball : after->balls) {
+    EXPECT_EQ(all.count(key_of(ball)), 1U) << "a ball was moved";
+    EXPECT_EQ(places.erase(rounded(key_of(ball))), 1U) << "two balls of one place";
+  }
+}
+
+TEST(PoleTolerance, OfASphereLeavesOneBallInside) {
+  const CommandFolder folder;
+  put_cloud(folder, surface_points(2000, [](double u, double v) {
+              const double z = 2 * u - 1;
+              const double r = std::sqrt(1 - z * z);
+              return Point3{5 + r * std::cos(6.2831853 * v), r * std::sin(6.2831853 * v), z};
+            }));
+  const std::string run = "--surface none --medial-axis m.pvtp --medial-axis-faces ";
+  const auto report = report_of(folder, run + "--pole-tolerance 1e-9");
+  EXPECT_EQ(report["poles"]["inner"], 1);
+  EXPECT_GT(report["poles"]["coincident"], 100);
+  EXPECT_EQ(report["shape"]["vertices"], 1);
+  EXPECT_EQ(report["shape"]["euler"], 1);
+}
+
+struct Body {
+  std::string kind;
+  int points;
+  int euler;   ///< of its inside
+  int pieces;  ///< likewise
+};
+
+void PrintTo(const Body& body, std::ostream* out) {
+  *out << body.kind;
+}
+
+class PowerShape : public testing::TestWithParam<Body> {};
+
+TEST_P(PowerShape, HasTheTopologyOfTheBodyAndFitsAcrossChunks) {
+  const Body& body = GetParam();
+  const CommandFolder folder;
+  const std::string count = std::to_string(body.points);
+  ASSERT_EQ(folder.run("make-cloud " + body.kind + " -n " + count + " -o cloud.f64").exit_code, 0);
+  const auto report = report_of(
+      folder, "--surface none --medial-axis m.pvtp --medial-axis-faces --chunk-points 700");
+  const auto& shape = report["shape"];
+  EXPECT_EQ(shape["euler"], body.euler);
+  // Of a sphere's balls, which are one but for roundings, some have no cell, and so no faces.
+  const int inner = report["poles"]["inner"];
+  const int hidden = inner - shape["vertices"].get<int>();
+  EXPECT_GE(hidden, 0);
+  EXPECT_LT(hidden, inner / 50);
+  ASSERT_EQ(folder.run("mesh-check m.pvtp --json >mesh.json").exit_code, 0);
+  const auto mesh = folder.json("mesh.json");
+  EXPECT_EQ(mesh["triangles"], shape["triangles"]);
+  EXPECT_EQ(mesh["duplicate_triangles"], 0);
+  EXPECT_EQ(mesh["contradictory_ids"], 0);
+  const auto facts = facts_of(folder, "m.pvtp");
+  if (!facts) GTEST_SKIP() << "install python3-vtk9";
+  EXPECT_EQ((*facts)["vertices"], inner);
+  EXPECT_LT((*facts)["off_sample"].get<double>(), 1e-9);
+  const auto& read = (*facts)["shape"];
+  EXPECT_GT(read["repeated"], 0);
+  EXPECT_EQ(read["pieces"], body.pieces + hidden);
+  EXPECT_EQ(read["balls"], inner);
+  EXPECT_EQ(read["edges"], shape["edges"]);
+  EXPECT_EQ(read["lines"], shape["bare_edges"]);
+  EXPECT_EQ(read["triangles"], shape["triangles"]);
+  EXPECT_EQ(shape["vertices"].get<int>() - read["edges"].get<int>() + read["triangles"].get<int>() -
+                shape["tetrahedra"].get<int>(),
+            body.euler);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, PowerShape,
+                         testing::Values(Body{"blob", 3000, 1, 1}, Body{"uneven", 3000, 0, 1},
+                                         Body{"nested", 2000, 3, 2}),
+                         [](const auto& test) { return test.param.kind; });
+
+TEST(PowerShapeRuns, AreTheSameForAnyMemoryAndThreadsAndBesideTheCrust) {
+  const CommandFolder folder;
+  ASSERT_EQ(folder.run("make-cloud folds -n 12000 -o cloud.f64").exit_code, 0);
+  const std::string run = "--chunk-points 4000 ";
+  const auto first = report_of(
+      folder, run + "--surface none --medial-axis first.pvtp --medial-axis-faces --memory 1G");
+  report_of(folder, run + "--surface crust -o plain.pvtp");
+  for (const std::string options :
+       {"--surface none --memory 64M --threads 1", "--surface none --memory 200M --threads 3",
+        "--surface crust -o s.pvtp --memory 150M --threads 2"}) {
+    const auto report =
+        report_of(folder, run + options + " --medial-axis next.pvtp --medial-axis-faces");
+    EXPECT_EQ(report["shape"], first["shape"]) << options;
+    EXPECT_EQ(report["delaunay"], first["delaunay"]) << options;
+    EXPECT_TRUE(folder.chunked_bytes("next", ".pvtp") == folder.chunked_bytes("first", ".pvtp"))
+        << options;
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    EXPECT_LE(report["peak_rss_bytes"], report["memory_budget_bytes"]) << options;
+#endif
+  }
+  EXPECT_TRUE(folder.chunked_bytes("s", ".pvtp") == folder.chunked_bytes("plain", ".pvtp"));
+}
+
+TEST(PowerShapeRuns, OfABodyWithoutInnerBallsAreOneChunkOfNone) {
+  const CommandFolder folder;
+  put_cloud(folder, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}});
+  const auto report = report_of(folder, "--surface none --medial-axis m.pvtp --medial-axis-faces");
+  EXPECT_EQ(report["shape"]["vertices"], 0);
+  const auto facts = facts_of(folder, "m.pvtp");
+  if (!facts) GTEST_SKIP() << "install python3-vtk9";
+  EXPECT_EQ((*facts)["shape"]["balls"], 0);
+  EXPECT_EQ((*facts)["chunks"], 1);
 }
 
 }  // namespace

@@ -56,11 +56,22 @@ RunOptions options_for(const TestFolder& folder, const Cloud& cloud) {
   return options;
 }
 
-/// All bytes of the chunked output.
+/// All that the power diagram gives.
+RunOptions options_for_all(const TestFolder& folder, const Cloud& cloud) {
+  RunOptions options = options_for(folder, cloud);
+  options.medial_axis = folder / "axis.pvtp";
+  options.medial_axis_faces = true;
+  return options;
+}
+
+/// All bytes of both chunked outputs.
 std::string output_bytes(const TestFolder& folder) {
-  std::string all = file_bytes(folder / "out.pvtp");
-  for (const std::string& chunk : list_folder(folder / "out")) {
-    all += chunk + file_bytes(folder / ("out/" + chunk));
+  std::string all;
+  for (const std::string output : {"out", "axis"}) {
+    all += file_bytes(folder / (output + ".pvtp"));
+    for (const std::string& chunk : list_folder(folder / output)) {
+      all += chunk + file_bytes(folder / (output + "/" + chunk));
+    }
   }
   return all;
 }
@@ -291,7 +302,7 @@ class CrustRuns : public testing::TestWithParam<Shape> {};
 
 TEST_P(CrustRuns, AreTheSameBytesForAnyWindowsThreadsAndMemory) {
   const TestFolder folder;
-  RunOptions options = options_for(folder, GetParam().make());
+  RunOptions options = options_for_all(folder, GetParam().make());
   const Report first = reconstruct(options);
   const std::string expected = output_bytes(folder);
   struct How {
@@ -312,6 +323,7 @@ TEST_P(CrustRuns, AreTheSameBytesForAnyWindowsThreadsAndMemory) {
     EXPECT_EQ(report.delaunay.digest, first.delaunay.digest);
     EXPECT_EQ(report.surface.volume, first.surface.volume);
     EXPECT_EQ(report.power->poles, first.power->poles);
+    EXPECT_EQ(report.shape->tetrahedra, first.shape->tetrahedra);
     EXPECT_EQ(output_bytes(folder) == expected, true);
   }
 }
@@ -331,7 +343,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CrustRun, GoesOnAfterAFullDiskToTheSameBytes) {
   const TestFolder folder;
-  RunOptions options = options_for(folder, bumpy(300));
+  RunOptions options = options_for_all(folder, bumpy(300));
   options.window_points = 160;
   (void)reconstruct(options);
   const std::string expected = output_bytes(folder);

@@ -94,6 +94,26 @@ TEST(DiskEstimate, CountsTheMedialAxis) {
   EXPECT_LE(estimate.outputs, 3 * bytes_in(folder / "m"));
 }
 
+TEST(DiskEstimate, CountsThePowerShape) {
+  const TestFolder folder;
+  const std::uint64_t points = 10000;
+  put_bytes(folder / "cloud.f64", bumpy_ball(points));
+  RunOptions options = options_in(folder);
+  options.surface = SurfaceKind::kNone;
+  options.tetrahedra = "";
+  options.medial_axis = folder / "m.pvtp";
+  const DiskEstimate without = estimate_disk(points, options);
+  options.medial_axis_faces = true;
+  const DiskEstimate estimate = estimate_disk(points, options);
+  EXPECT_GT(estimate.scratch, without.scratch);
+  EXPECT_GT(estimate.outputs, without.outputs);
+  const Report report = reconstruct(options);
+  EXPECT_GE(estimate.scratch, report.scratch_peak_bytes);
+  EXPECT_LE(estimate.scratch, 3 * report.scratch_peak_bytes);
+  EXPECT_GE(estimate.outputs, bytes_in(folder / "m"));
+  EXPECT_LE(estimate.outputs, 3 * bytes_in(folder / "m"));
+}
+
 TEST(DiskEstimate, CountsTheCrust) {
   const TestFolder folder;
   const std::uint64_t points = 10000;

@@ -291,6 +291,10 @@ TEST_F(Restart, KnowsEachOptionThatASolidDependsOn) {
   options.grid_spacing = {1, 1, 2.5};
   EXPECT_EQ(difference(closed, open), "--open: nothing then, 5 now");
   EXPECT_EQ(difference(open, identity_of(options)), "--spacing: nothing then, 1,1,2.5 now");
+  const RunIdentity balls = identity_of(options);
+  options.medial_axis_faces = true;
+  EXPECT_EQ(difference(balls, identity_of(options)),
+            "--medial-axis-faces: nothing then, given now");
   options.unused.clear();
   EXPECT_FALSE(have_same_outputs(open, identity_of(options)));
   options = options_in(folder_);

@@ -4,8 +4,8 @@ stream_recon_test(engine_test PARALLEL
     engine_disk_test.cpp engine_facet_filter_test.cpp engine_far_points_test.cpp
     engine_faults_test.cpp engine_memory_trace_test.cpp engine_order_test.cpp
     engine_pole_store_test.cpp engine_poles_test.cpp engine_power_test.cpp
-    engine_progress_test.cpp engine_report_test.cpp engine_sheets_test.cpp
-    engine_solid_test.cpp engine_spacing_test.cpp engine_surface_test.cpp
+    engine_progress_test.cpp engine_report_test.cpp engine_shape_test.cpp
+    engine_sheets_test.cpp engine_solid_test.cpp engine_spacing_test.cpp engine_surface_test.cpp
     engine_tetrahedra_test.cpp engine_window_parts_test.cpp engine_windows_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 

@@ -85,6 +85,10 @@ void add_medial_axis_options(CLI::App& app, RunOptions& run) {
                  "Which balls: inner (default), outer or both")
       ->transform(CLI::CheckedTransformer(sides))
       ->option_text("SIDE");
+  app.add_flag(
+      "--medial-axis-faces", run.medial_axis_faces,
+      "crust, none: the medial axis has the triangles and edges between balls as well, the "
+      "power shape");
 }
 
 void add_surface_options(CLI::App& app, CommandLine& line) {

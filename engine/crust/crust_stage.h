@@ -1,6 +1,8 @@
-// The power crust: from the labelled poles to a surface over a point store of its own.
+// The power diagram of the labelled poles: the crust, as a surface over a point store of its own,
+// and the power shape.
 //
-// Guarantees and memory as of crust/crust_windows.h and crust/crust_assembly.h, which it calls.
+// Guarantees and memory as of crust/crust_windows.h, crust/crust_assembly.h and
+// shape/shape_store.h, which it calls.
 // What an earlier, interrupted run left of it is removed first. Thread rule: one caller.
 #pragma once
 
@@ -16,13 +18,16 @@ struct CrustStageOptions {
   std::uint64_t window_points =
       0;  ///< samples of a window at most; 0: as many as the memory allows
   std::uint64_t chunk_points = 1;
+  bool has_crust = true;
+  bool has_shape = false;
 };
 
 struct CrustSurface {
-  CrustFacts facts;
+  CrustFacts facts;  ///< without a crust all 0
   PowerCounts counts;
   std::uint64_t windows = 0;
   std::uint64_t unbounded = 0;  ///< faces left out
+  ShapeCounts shape;            ///< without a power shape all 0
 };
 
 /// \pre The pole store is in the scratch directory, and `cloud` has far points.

@@ -9,6 +9,7 @@
 
 #include "engine/crust/crust_faces.h"
 #include "engine/parallel.h"
+#include "engine/shape/shape_store.h"
 #include "engine/size_text.h"
 #include "engine/thread_clock.h"
 
@@ -77,7 +78,7 @@ class WindowLoop {
   WindowLoop(const CloudIndex& index, const CrustWindowOptions& options, const Plan& plan,
              const StageContext& context)
       : index_(index),
-        far_ranks_(options.far_ranks),
+        options_(options),
         plan_(plan),
         context_(context),
         memory_(context.budget.reserve(plan.cache_bytes + plan.pole_pages * PoleIndex::kPageMemory +
@@ -134,15 +135,28 @@ class WindowLoop {
     PowerWindow power(samples, poles_, finder);
     if (power.build(owned, plan_.window_bytes) != Outcome::kDone) return false;
     power.forget_walks();
-    if (power.bytes() + crust_faces_memory(power) > plan_.window_bytes) return false;
+    if (power.bytes() + faces_memory(power) > plan_.window_bytes) return false;
     {
       const ThreadClock clock(seconds.faces);
-      write(owned, power);
+      if (options_.has_shape) write_shape(owned, shape_faces(power));
+      if (options_.has_crust) write_crust(owned, power);
     }
     const std::lock_guard lock(mutex_);
     result_.counts.add(power.counts());
     result_.counts.seconds.add(seconds);
     return true;
+  }
+
+  std::uint64_t faces_memory(const PowerWindow& power) const {
+    return std::max(options_.has_crust ? crust_faces_memory(power) : 0,
+                    options_.has_shape ? shape_faces_memory(power) : 0);
+  }
+
+  void write_shape(const OwnedRange& owned, const ShapeFaces& shape) {
+    write_shape_window(context_.scratch, owned.first, shape.faces);
+    const std::lock_guard lock(mutex_);
+    result_.shape_windows.push_back(owned.first);
+    result_.shape.add(shape.counts);
   }
 
   std::uint32_t reserve_number() {
@@ -151,14 +165,14 @@ class WindowLoop {
     return static_cast<std::uint32_t>(result_.windows.size() - 1);
   }
 
-  void write(const OwnedRange& owned, const PowerWindow& power) {
+  void write_crust(const OwnedRange& owned, const PowerWindow& power) {
     const std::uint32_t number = reserve_number();
     CrustWindow window{owned.first, 0};
     auto vertices = create_records<CrustVertex>(context_.scratch, window.vertices_file(), kBlock);
     auto triangles =
         create_records<CrustTriangle>(context_.scratch, window.triangles_file(), kBlock);
     const CrustFacesCounts counts =
-        write_crust_faces(power, {number, far_ranks_}, {vertices, triangles});
+        write_crust_faces(power, {number, options_.far_ranks}, {vertices, triangles});
     vertices.finish();
     triangles.finish();
     window.vertices = counts.vertices;
@@ -189,7 +203,7 @@ class WindowLoop {
   }
 
   const CloudIndex& index_;
-  std::span<const std::uint32_t> far_ranks_;
+  const CrustWindowOptions& options_;
   const Plan plan_;
   const StageContext& context_;
   Reservation memory_;

@@ -1,7 +1,7 @@
-// The crust's faces, window by window: all poles inside the body, cut into windows by their lowest
-// sample, and what each emits on disk.
+// The faces of the crust and of the power shape, window by window: all poles inside the body, cut
+// into windows by their lowest sample, and what each emits on disk.
 //
-// Guarantees: every face of the crust is in one window's files, whatever the windows; one that
+// Guarantees: every face is in one window's files, whatever the windows; one that
 // outgrows its memory is split and built again. Thread rule: one caller; windows side by side.
 // Memory: all that the budget has left; a window is given 3200 bytes an owned sample. Cost: about
 // 80 us of processor time a sample. Source: docs/algorithms/crust.md, weighted.md
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/power/power_window.h"
+#include "engine/shape/shape_faces.h"
 #include "engine/stage_context.h"
 #include "engine/windows/cloud_index.h"
 
@@ -32,6 +33,8 @@ struct CrustWindows {
   std::uint64_t faces = 0;
   std::uint64_t unbounded = 0;  ///< faces left out
   std::uint64_t splits = 0;
+  std::vector<std::uint64_t> shape_windows;  ///< first ranks of those that left faces of the shape
+  ShapeCounts shape;
 };
 
 struct CrustWindowOptions {
@@ -40,6 +43,8 @@ struct CrustWindowOptions {
   std::uint64_t window_points = 0;
   /// Ranks of the points that are no samples (order/far_points.h), ascending.
   std::vector<std::uint32_t> far_ranks;
+  bool has_crust = true;   ///< its faces are written
+  bool has_shape = false;  ///< those of the power shape are (shape/shape_store.h)
 };
 
 /// \pre The pole store and the index are in the scratch directory.

@@ -87,6 +87,7 @@ RunIdentity identity_of(const RunOptions& options) {
     identity["--medial-axis-side"] =
         kPoleSideNames.at(static_cast<std::size_t>(options.medial_axis_side));
   }
+  if (options.medial_axis_faces) identity["--medial-axis-faces"] = "given";
   if (options.manifold) identity["--manifold"] = "given";
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     identity[fmt::format("input {}", i + 1)] = describe_input(options.inputs[i]);

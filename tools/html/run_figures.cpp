@@ -81,6 +81,20 @@ std::string pole_figures(const Report& report) {
       .section("Poles");
 }
 
+/// Empty where none was asked for.
+std::string shape_figures(const Report& report) {
+  if (!report.shape) return "";
+  const ShapeReport& shape = *report.shape;
+  return Figures()
+      .add("balls with a cell", count(shape.vertices))
+      .add("edges", count(shape.edges))
+      .add("edges without a triangle", count(shape.bare_edges))
+      .add("triangles", count(shape.triangles))
+      .add("tetrahedra", count(shape.tetrahedra))
+      .add("Euler characteristic", count(shape.euler()))
+      .section("Power shape");
+}
+
 std::string window_figures(const Report& report) {
   const auto& windows = report.windows;
   return Figures()
@@ -114,10 +128,11 @@ bool has_surface(const Report& report) {
 std::string run_figures(const Report& report) {
   if (!has_surface(report)) {
     return pair(input_figures(report), resource_figures(report)) + window_figures(report) +
-           pole_figures(report);
+           pole_figures(report) + shape_figures(report);
   }
   return pair(surface_figures(report), input_figures(report)) +
-         pair(window_figures(report), resource_figures(report)) + pole_figures(report);
+         pair(window_figures(report), resource_figures(report)) + pole_figures(report) +
+         shape_figures(report);
 }
 
 }  // namespace stream_recon::html
