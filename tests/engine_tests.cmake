@@ -1,11 +1,11 @@
 # The tests of the run: its parts, and the program as a user calls it.
 stream_recon_test(engine_test PARALLEL
-  SOURCES engine_budget_test.cpp engine_chunk_loop_test.cpp engine_crust_test.cpp
-    engine_disk_test.cpp engine_facet_filter_test.cpp engine_far_points_test.cpp
-    engine_faults_test.cpp engine_memory_trace_test.cpp engine_order_test.cpp
-    engine_pole_store_test.cpp engine_poles_test.cpp engine_power_test.cpp
-    engine_progress_test.cpp engine_report_test.cpp engine_shape_test.cpp
-    engine_sheets_test.cpp engine_solid_test.cpp engine_spacing_test.cpp engine_surface_test.cpp
+  SOURCES engine_ball_walk_test.cpp engine_budget_test.cpp engine_chunk_loop_test.cpp
+    engine_crust_test.cpp engine_disk_test.cpp engine_facet_filter_test.cpp
+    engine_far_points_test.cpp engine_faults_test.cpp engine_memory_trace_test.cpp
+    engine_order_test.cpp engine_pole_store_test.cpp engine_poles_test.cpp engine_power_test.cpp
+    engine_progress_test.cpp engine_report_test.cpp engine_shape_test.cpp engine_sheets_test.cpp
+    engine_solid_test.cpp engine_spacing_test.cpp engine_surface_test.cpp
     engine_tetrahedra_test.cpp engine_window_parts_test.cpp engine_windows_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 
