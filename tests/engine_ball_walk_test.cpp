@@ -29,8 +29,11 @@ using Corners = std::array<Point3, 4>;
 
 std::vector<Point3> lattice(int side) {
   std::vector<Point3> points;
-  for (int i = 0; i < side * side * side; ++i) {
-    points.push_back({1.0 * (i % side), 1.0 * (i / side % side), 1.0 * (i / side / side)});
+  points.reserve(static_cast<std::size_t>(side) * side * side);
+  for (int z = 0; z < side; ++z) {
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) points.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+    }
   }
   return points;
 }

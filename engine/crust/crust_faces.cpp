@@ -175,7 +175,8 @@ class CrustExtraction {
     std::array<WeightedPoint3, 4> sites;
     for (int i = 0; i < 4; ++i) {
       vertex.name.poles[i] = poles_[v[i]].number;
-      std::copy(poles_[v[i]].name.ranks.begin(), poles_[v[i]].name.ranks.end(), &touched[4 * i]);
+      std::copy(poles_[v[i]].name.ranks.begin(), poles_[v[i]].name.ranks.end(),
+                &touched[std::size_t{4} * i]);
       sites[i] = cells_.point(v[i]);
     }
     vertex.name.sample = commonest(touched, options_.far_ranks);

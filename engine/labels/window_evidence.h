@@ -26,7 +26,8 @@ inline constexpr float kNoSample = std::numeric_limits<float>::min();
 
 class WindowEvidence {
  public:
-  /// \param spacing of every vertex, scaled as the balls are, or kNoSample; outlives the evidence, as
+  /// \param spacing of every vertex, scaled as the balls are, or kNoSample; outlives the evidence,
+  /// as
   ///        the window does
   WindowEvidence(const FinalWindow& window, std::span<const float> spacing, const StarBalls& balls);
 
