@@ -92,13 +92,13 @@ bool may_conflict(const std::array<Point3, 4>& p, const Orthosphere& sphere) {
   const double ld = dot(d, d);
   const double volume = (acd - bcd) + (abc - abd);
   const double lifted = (lb * acd - la * bcd) + (ld * abc - lc * abd);
-  const double box = largest(a.x, b.x, c.x, d.x) * largest(a.y, b.y, c.y, d.y) *
-                     largest(a.z, b.z, c.z, d.z);
+  const double box =
+      largest(a.x, b.x, c.x, d.x) * largest(a.y, b.y, c.y, d.y) * largest(a.z, b.z, c.z, d.z);
   const double volume_error = 64 * kUnit * box;
   if (std::fabs(volume) <= 4 * volume_error) return true;
   const double lift = largest(la, lb, lc, ld);
   const double limit = sphere.weight + sphere.error;
-  const double slack = 128 * kUnit * box * (lift + std::fabs(limit)) ;
+  const double slack = 128 * kUnit * box * (lift + std::fabs(limit));
   return (volume > 0 ? -lifted : lifted) < limit * std::fabs(volume) + slack;
 }
 

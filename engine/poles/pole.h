@@ -34,8 +34,8 @@ struct PoleByName {
   }
 };
 
-/// Equal balls beside each other, those of one tetrahedron too. Balls are equal if centre and radius
-/// are, rounded to multiples of the tolerance.
+/// Equal balls beside each other, those of one tetrahedron too. Balls are equal if centre and
+/// radius are, rounded to multiples of the tolerance.
 struct PoleByBall {
   Pole pole;
   double tolerance = 0;  ///< the same for all; 0: as they are

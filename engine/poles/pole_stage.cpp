@@ -171,8 +171,7 @@ class PoleStage {
 
 }  // namespace
 
-PoleReport store_poles(const PoleSources& sources, double tolerance,
-                       const StageContext& context) {
+PoleReport store_poles(const PoleSources& sources, double tolerance, const StageContext& context) {
   return PoleStage(sources.windows, sources.labels, tolerance, context).run();
 }
 

@@ -3,8 +3,8 @@
 // Guarantees: the store (poles/pole_store.h) is a function of the cloud alone: a tetrahedron that
 // several windows found is there once, and so are tetrahedra of the very same ball, under the
 // lowest name, with the largest angle, and the label of most of them, outside where there are as
-// many. Thread rule: one caller; sorts on all threads. Memory: two sorts of 56 and 64 bytes a pole, or as
-// much as there is. Scratch: two copies of the poles at most.
+// many. Thread rule: one caller; sorts on all threads. Memory: two sorts of 56 and 64 bytes a pole,
+// or as much as there is. Scratch: two copies of the poles at most.
 #pragma once
 
 #include "engine/labels/forest_merge.h"
@@ -19,7 +19,8 @@ struct PoleSources {
   const WindowLabels& labels;
 };
 
-/// \param tolerance balls whose centres and radii are equal, rounded to multiples of it, are one; 0:
+/// \param tolerance balls whose centres and radii are equal, rounded to multiples of it, are one;
+/// 0:
 ///        those that are the very same; units of the input
 /// \throw IoError, BudgetError, Interrupted
 PoleReport store_poles(const PoleSources& sources, double tolerance, const StageContext& context);

@@ -4,8 +4,8 @@
 // body: it is homotopy equivalent to the union of the inner cells. Guarantees: of all windows
 // together each simplex is counted once, and each triangle, and each edge without one, is emitted
 // once, by the window that owns the pole of lowest number: stars of owned poles are final. Thread
-// rule: one thread. Memory: about what shape_faces_memory() says. Cost: about 6 us an owned pole. Source:
-// Amenta, Choi, Kolluri, The power crust, 2001, section 3; docs/algorithms/crust.md
+// rule: one thread. Memory: about what shape_faces_memory() says. Cost: about 6 us an owned pole.
+// Source: Amenta, Choi, Kolluri, The power crust, 2001, section 3; docs/algorithms/crust.md
 #pragma once
 
 #include <cstdint>

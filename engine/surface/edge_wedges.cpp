@@ -48,8 +48,8 @@ std::vector<std::array<std::uint32_t, 2>> inside_wedges(const std::array<Point3,
     const WedgeSide& next = sides[(i + 1) % sides.size()];
     if (!sides[i].rises && next.rises) wedges.push_back({sides[i].name, next.name});
   }
-  const auto rising = std::count_if(sides.begin(), sides.end(),
-                                    [](const WedgeSide& side) { return side.rises; });
+  const auto rising =
+      std::count_if(sides.begin(), sides.end(), [](const WedgeSide& side) { return side.rises; });
   const bool is_closed = 2 * static_cast<std::size_t>(rising) == sides.size();
   if (is_closed && 2 * wedges.size() != sides.size()) return pairs_without_turn(sides);
   return wedges;

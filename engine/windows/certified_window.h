@@ -58,9 +58,9 @@ class CertifiedWindow {
   /// \throw IoError, Interrupted
   Outcome build(const OwnedRange& owned, std::uint64_t memory_bytes);
   /// One round more, for cells without an owned vertex: asks about them, and inserts the points in
-  /// conflict with some. The others are final from now on, as those with an owned vertex are after a
-  /// build() that asked for whole stars; final cells stay as long as the window.
-  /// \param memory_bytes as of build() \throw IoError, Interrupted
+  /// conflict with some. The others are final from now on, as those with an owned vertex are after
+  /// a build() that asked for whole stars; final cells stay as long as the window. \param
+  /// memory_bytes as of build() \throw IoError, Interrupted
   Outcome prove(std::vector<CellId>& cells, std::uint64_t memory_bytes);
   /// \pre whole stars; build() returned kDone
   bool is_final(CellId cell) const { return cell < final_.size() && final_[cell]; }
