@@ -268,8 +268,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Shape{"ellipsoid", [] { return ellipsoid(kPoints); }, 2, kEllipsoid, 0.01 * kLoose},
         Shape{"bumpy_ball", [] { return bumpy(kPoints); }, 2, bumpy_volume(), 0.01 * kLoose},
-        Shape{"torus", [] { return torus(kPoints / 2); }, 0, 2 * kPi* kPi* kTube* kTube,
-              0.02 * kLoose},
+        Shape{"torus", [] { return torus(kPoints); }, 0, 2 * kPi* kPi* kTube* kTube, 0.02 * kLoose},
         Shape{"nested", [] { return both(ellipsoid(kPoints), ellipsoid(kPoints / 4, 0.4)); }, 4,
               kEllipsoid*(1 - 0.4 * 0.4 * 0.4), 0.02 * kLoose, 1, 1},
         Shape{"two_apart",
