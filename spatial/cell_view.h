@@ -61,6 +61,10 @@ class BasicCellView {
   /// The point as stored: multiplied by the scale.
   const Site& stored_point(VertexId v) const { return parts_.points[v + 1]; }
   Site point(VertexId v) const { return scaled(stored_point(v), unscale_); }
+  /// Of a finite cell.
+  std::array<Site, 4> corners(CellId c) const {
+    return {point(vertex(c, 0)), point(vertex(c, 1)), point(vertex(c, 2)), point(vertex(c, 3))};
+  }
 
  private:
   Parts parts_;

@@ -305,6 +305,7 @@ TEST_P(PowerShape, HasTheTopologyOfTheBodyAndFitsAcrossChunks) {
   ASSERT_EQ(folder.run("make-cloud " + body.kind + " -n " + count + " -o cloud.f64").exit_code, 0);
   const auto report = report_of(
       folder, "--surface none --medial-axis m.pvtp --medial-axis-faces --chunk-points 700");
+  EXPECT_GE(report["power"]["windows"], 1);
   const auto& shape = report["shape"];
   EXPECT_EQ(shape["euler"], body.euler);
   // Of a sphere's balls, which are one but for roundings, some have no cell, and so no faces.

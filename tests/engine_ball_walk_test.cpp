@@ -64,10 +64,7 @@ struct OneWindow {
   }
 
   CellView cells() const { return samples.view().delaunay().view(); }
-  Corners corners(CellId c) const {
-    const auto v = cells().vertices(c);
-    return {cells().point(v[0]), cells().point(v[1]), cells().point(v[2]), cells().point(v[3])};
-  }
+  Corners corners(CellId c) const { return cells().corners(c); }
 
   PoleCloud cloud;
   IndexCaches caches;

@@ -139,7 +139,8 @@ class WindowLoop {
     {
       const ThreadClock clock(seconds.faces);
       if (options_.has_shape) write_shape(owned, shape_faces(power));
-      if (options_.has_crust) write_crust(owned, power);
+      const std::uint32_t number = reserve_number();
+      if (options_.has_crust) write_crust(number, owned, power);
     }
     const std::lock_guard lock(mutex_);
     result_.counts.add(power.counts());
@@ -165,8 +166,7 @@ class WindowLoop {
     return static_cast<std::uint32_t>(result_.windows.size() - 1);
   }
 
-  void write_crust(const OwnedRange& owned, const PowerWindow& power) {
-    const std::uint32_t number = reserve_number();
+  void write_crust(std::uint32_t number, const OwnedRange& owned, const PowerWindow& power) {
     CrustWindow window{owned.first, 0};
     auto vertices = create_records<CrustVertex>(context_.scratch, window.vertices_file(), kBlock);
     auto triangles =

@@ -19,11 +19,6 @@ constexpr std::size_t kLeastBalls = 1 << 10;
 constexpr double kFloat = 0x1p-24;
 constexpr double kDouble = 0x1p-53;
 
-std::array<Point3, 4> corners(const CellView& cells, CellId cell) {
-  const auto v = cells.vertices(cell);
-  return {cells.point(v[0]), cells.point(v[1]), cells.point(v[2]), cells.point(v[3])};
-}
-
 double sum(const Point3& a) {
   return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
 }
@@ -77,12 +72,12 @@ bool BallWalk::in_conflict(CellId cell) {
   const double error = ball.error * sum(q) + 16 * kDouble * (square + std::fabs(limit));
   if (over > error) return false;
   if (over < -error) return true;
-  return may_conflict(corners(cells_, cell), sphere_);
+  return may_conflict(cells_.corners(cell), sphere_);
 }
 
 // Only of final cells, which are never destroyed.
 BallWalk::Ball BallWalk::ball_of(CellId cell) const {
-  const Circumball known = circumball(corners(cells_, cell));
+  const Circumball known = circumball(cells_.corners(cell));
   const Point3& r = known.centre;
   Ball ball{.cell = cell,
             .corner = cells_.vertex(cell, 0),

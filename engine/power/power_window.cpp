@@ -29,11 +29,6 @@ constexpr VertexId kMostDistances = 4096;
 /// Centres and radii of the stored poles, relative to the reach.
 constexpr double kPoleRounding = 0x1p-50;
 
-std::array<Point3, 4> corners(const CellView& cells, CellId cell) {
-  const auto v = cells.vertices(cell);
-  return {cells.point(v[0]), cells.point(v[1]), cells.point(v[2]), cells.point(v[3])};
-}
-
 Point3 outward_normal(const Point3& a, const Point3& b, const Point3& c) {
   return cross(minus(b, a), minus(c, a));
 }
@@ -211,8 +206,7 @@ PowerWindow::Question PowerWindow::question(CellId cell) const {
         outward_normal(cells.point(v[0]).point, cells.point(v[1]).point, cells.point(v[2]).point);
     return question;
   }
-  question.sphere = orthosphere(
-      {cells.point(v[0]), cells.point(v[1]), cells.point(v[2]), cells.point(v[3])}, reach_);
+  question.sphere = orthosphere(cells.corners(cell), reach_);
   const bool may_tie = question.sphere && question.sphere->error < tie_error_;
   if (may_tie) question.sample = poles_.common_sample(v);
   return question;
@@ -312,7 +306,7 @@ bool PowerWindow::close(VertexId sample, CellId start) {
 
 bool PowerWindow::is_closer(const Question& question, CellId cell) {
   if (question.sphere) return walk_->in_conflict(cell);
-  const Circumball ball = circumball(corners(samples_.view().delaunay().view(), cell));
+  const Circumball ball = circumball(samples_.view().delaunay().view().corners(cell));
   const double weight = dot(ball.centre, ball.centre) + tie_error_;
   return power_.in_conflict(question.cell, {plus(ball.origin, ball.centre), weight});
 }

@@ -25,7 +25,8 @@ void SamplePoles::add_owned(const OwnedRange& owned) {
   const PoleNumber begin = finder_.lower_bound(static_cast<std::uint32_t>(owned.first));
   const PoleNumber end = finder_.lower_bound(static_cast<std::uint32_t>(owned.end()));
   for (PoleNumber number = begin; number < end; ++number) {
-    if (finder_.pole(number).is_inside != 0) add(number, finder_.pole(number), kNoCell);
+    const Pole& pole = finder_.pole(number);
+    if (pole.is_inside != 0) add(number, pole, kNoCell);
   }
   owned_count_ = count();
   find_cells_of_owned(owned);
