@@ -21,6 +21,7 @@ constexpr std::uint64_t kPoles = 320;  // exports, sorted runs and the store sid
 constexpr std::uint64_t kPolesOutput = 90;
 constexpr std::uint64_t kCrust = 650;  // corners and triangles, two sorts, store and facets
 constexpr std::uint64_t kCrustOutput = 500;
+constexpr std::uint64_t kHoles = 120;  // fills and samples of holes, and the crust near them
 constexpr std::uint64_t kShape = 60;
 constexpr std::uint64_t kShapeOutput = 40;
 
@@ -49,6 +50,7 @@ DiskEstimate estimate_disk(std::uint64_t points, const RunOptions& options) {
   if (has_surface(options) || has_axis) windows += kFacets;
   if (options.needs_poles()) windows += kPoles;
   if (is_crust(options)) windows += kCrust;
+  if (options.surface == SurfaceKind::kHybrid) windows += kHoles;
   if (options.medial_axis_faces) windows += kShape;
   if (has_tetrahedra) windows += kTetrahedra;
   // A single file is put together from parts in scratch.

@@ -11,6 +11,7 @@
 #include "engine/crust/crust_stage.h"
 #include "engine/disk_estimate.h"
 #include "engine/gamma/gamma_filter.h"
+#include "engine/hybrid/hybrid_stage.h"
 #include "engine/labels/evidence_collector.h"
 #include "engine/labels/facet_labels.h"
 #include "engine/labels/forest_merge.h"
@@ -73,7 +74,10 @@ class Pipeline {
     run_windows(cloud, layout);
     const ExportReader exports(context_.scratch, context_.budget);
     if (options_.needs_labels()) label(exports, layout);
-    if (options_.needs_power()) {
+    if (is_hybrid()) {
+      close_holes(cloud, layout);
+      surface_cloud(cloud, layout, {surface_writer.get(), nullptr, nullptr, nullptr});
+    } else if (options_.needs_power()) {
       const CrustSurface crust = divide(cloud, order);
       if (surface_writer != nullptr) surface_crust(crust, *surface_writer);
     } else if (surface_writer != nullptr) {
@@ -160,6 +164,9 @@ class Pipeline {
 
   bool is_crust() const { return options_.surface == SurfaceKind::kCrust; }
   bool is_solid() const { return options_.surface == SurfaceKind::kSolid; }
+  bool is_hybrid() const { return options_.surface == SurfaceKind::kHybrid; }
+  /// Whether the surface is made of facets between inside and outside.
+  bool bounds_solid() const { return is_solid() || is_hybrid(); }
 
   /// Those that the journal lacks.
   void run_windows(const CloudSummary& cloud, const ChunkLayout& layout) {
@@ -221,7 +228,7 @@ class Pipeline {
   void label(const ExportReader& exports, const ChunkLayout& layout) {
     const MergedForest forest = log_.run("labels", [&] {
       MergedForest merged = merge_forest(exports, context_);
-      if (is_solid()) export_solid(exports, layout, merged.labels);
+      if (bounds_solid()) export_solid(exports, layout, merged.labels);
       return merged;
     });
     if (!options_.needs_poles()) return;
@@ -233,9 +240,11 @@ class Pipeline {
   void export_solid(const ExportReader& exports, const ChunkLayout& layout,
                     const WindowLabels& labels) {
     for (const std::string& name : context_.scratch.names()) {
-      if (export_first_rank(name, kLabelledPrefix)) context_.scratch.remove(name);
+      if (export_first_rank(name, kLabelledPrefix) || export_first_rank(name, kFillsPrefix)) {
+        context_.scratch.remove(name);
+      }
     }
-    const SolidExportOptions options{layout, options_.open_ratio};
+    const FacetLabelOptions options{{layout, options_.open_ratio}, is_hybrid()};
     report_.surface.forest_conflicts = label_facets(exports, labels, options, context_).conflicts;
   }
 
@@ -250,14 +259,28 @@ class Pipeline {
 
   void surface_cloud(const CloudSummary& cloud, const ChunkLayout& layout, const Writers& writers) {
     const ExportReader facets(context_.scratch, context_.budget,
-                              is_solid() ? kLabelledPrefix : kExportPrefix);
+                              bounds_solid() ? kLabelledPrefix : kExportPrefix);
     log_.run("surface", [&] {
       build_surface({facets, layout}, *writers.surface,
-                    {.is_solid = is_solid(),
+                    {.is_solid = bounds_solid(),
                      .splits = options_.manifold,
                      .range = cloud.range,
                      .unused = writers.unused});
     });
+  }
+
+  /// The hybrid: patches for the holes of the gamma shape, beside its facets.
+  void close_holes(const CloudSummary& cloud, const ChunkLayout& layout) {
+    const HybridResult hybrid = log_.run("hybrid", [&] {
+      return build_hybrid(cloud,
+                          {.threads = report_.threads,
+                           .window_points = options_.window_points,
+                           .layout = layout,
+                           .fills_rest = options_.fills_with_solid},
+                          context_);
+    });
+    report_.hybrid = hybrid.report;
+    report_power(hybrid.power);
   }
 
   /// Space among the poles: the crust, the power shape, or both.
@@ -271,14 +294,7 @@ class Pipeline {
                           .has_shape = options_.medial_axis_faces},
                          context_);
     });
-    report_.power = {.windows = crust.windows,
-                     .poles = crust.counts.owned,
-                     .guests = crust.counts.guests,
-                     .rounds = crust.counts.rounds,
-                     .walks = crust.counts.walks,
-                     .tests = crust.counts.tests,
-                     .unbounded_faces = crust.unbounded,
-                     .seconds = crust.counts.seconds};
+    report_power(crust.power);
     if (options_.medial_axis_faces) {
       report_.shape = {.vertices = crust.shape.vertices,
                        .edges = crust.shape.edges,
@@ -287,6 +303,17 @@ class Pipeline {
                        .tetrahedra = crust.shape.tetrahedra};
     }
     return crust;
+  }
+
+  void report_power(const PowerTotals& power) {
+    report_.power = {.windows = power.windows,
+                     .poles = power.counts.owned,
+                     .guests = power.counts.guests,
+                     .rounds = power.counts.rounds,
+                     .walks = power.counts.walks,
+                     .tests = power.counts.tests,
+                     .unbounded_faces = power.unbounded,
+                     .seconds = power.counts.seconds};
   }
 
   void surface_crust(const CrustSurface& crust, SurfaceWriter& writer) {

@@ -102,6 +102,8 @@ const char* kind_name(SurfaceKind kind) {
       return "solid";
     case SurfaceKind::kCrust:
       return "crust";
+    case SurfaceKind::kHybrid:
+      return "hybrid";
     case SurfaceKind::kNone:
       break;
   }

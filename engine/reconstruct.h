@@ -26,7 +26,7 @@
 
 namespace stream_recon {
 
-enum class SurfaceKind { kGamma, kAlpha, kSolid, kCrust, kNone };
+enum class SurfaceKind { kGamma, kAlpha, kSolid, kCrust, kHybrid, kNone };
 
 /// As on the command line.
 const char* kind_name(SurfaceKind kind);
@@ -41,16 +41,19 @@ struct RunOptions {
   std::vector<std::string> inputs;  ///< files, read one after the other; "-" is standard input
   InputFormat input_format = InputFormat::kAuto;
 
-  /// kCrust, and medial_axis_faces, add eight far points to the cloud, which the Delaunay structure
-  /// and its figures in the report then include (docs/algorithms/crust.md).
+  /// kCrust, kHybrid and medial_axis_faces add eight far points to the cloud, which the Delaunay
+  /// structure and its figures in the report then include (docs/algorithms/crust.md).
   SurfaceKind surface = SurfaceKind::kSolid;
   double delta_max_degrees = 90;  ///< gamma: facets below this angle, (0, 180]
   double alpha = 0;               ///< alpha: radius > 0, units of the input
   /// solid: facets beyond the gamma shape are left out where their circumradius is more than this
   /// many spacings of the samples; > 0. Nothing: the surface is closed.
   std::optional<double> open_ratio;
-  /// solid, crust, and with medial_axis: of the grid that the points were sampled on, along its
-  /// axes, units of the input; each > 0. Nothing: as the inputs say.
+  /// hybrid: holes of the gamma shape that no patch closes get the triangles of the solid; else
+  /// they are left open.
+  bool fills_with_solid = false;
+  /// solid, crust, hybrid, and with medial_axis: of the grid that the points were sampled on, along
+  /// its axes, units of the input; each > 0. Nothing: as the inputs say.
   std::optional<std::array<double, 3>> grid_spacing;
 
   /// Split the surface where it touches itself, so that it is a manifold. Needs a closed surface:
@@ -62,18 +65,18 @@ struct RunOptions {
   /// Also writes all finite Delaunay tetrahedra; ends in .pvtu, empty for none. No output lies in
   /// the folder of another's chunks.
   std::string tetrahedra;
-  /// Also writes the medial axis, as balls; ends in .pvtp, empty for none. For kSolid, kCrust and
-  /// kNone.
+  /// Also writes the medial axis, as balls; ends in .pvtp, empty for none. For kSolid, kCrust,
+  /// kHybrid and kNone.
   std::string medial_axis;
   PoleSide medial_axis_side = PoleSide::kInner;
   /// The medial axis has the triangles and edges between inner balls as well: the power shape. For
   /// kInner, and kCrust or kNone.
   bool medial_axis_faces = false;
   /// Poles whose centres and radii are equal, rounded to multiples of it, are one; units of the
-  /// input, 0: those of the very same ball. For kCrust and medial axes.
+  /// input, 0: those of the very same ball. For kCrust, kHybrid and medial axes.
   double pole_tolerance = 0;
   /// Also writes the points that no triangle of the surface has; ends in .ply, empty for none. Not
-  /// for kCrust, which has vertices of its own.
+  /// for kCrust, which has vertices of its own, and kHybrid.
   std::string unused;
   std::uint64_t chunk_points = 100'000;  ///< points of the Hilbert order that share a chunk, >= 1
 
@@ -96,9 +99,11 @@ struct RunOptions {
   /// Whether tetrahedra are labelled inside and outside.
   bool needs_labels() const { return surface == SurfaceKind::kSolid || needs_poles(); }
   /// Whether the poles of the cloud are stored.
-  bool needs_poles() const { return surface == SurfaceKind::kCrust || !medial_axis.empty(); }
+  bool needs_poles() const { return needs_power() || !medial_axis.empty(); }
   /// Whether the power diagram of the poles is built, for which far points are added.
-  bool needs_power() const { return surface == SurfaceKind::kCrust || medial_axis_faces; }
+  bool needs_power() const {
+    return surface == SurfaceKind::kCrust || surface == SurfaceKind::kHybrid || medial_axis_faces;
+  }
 
   /// The folder that the scratch folder is made in.
   std::string scratch_parent() const;

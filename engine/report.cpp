@@ -67,6 +67,17 @@ Json shape_json(const ShapeReport& shape) {
           {"tetrahedra", shape.tetrahedra}, {"euler", shape.euler()}};
 }
 
+Json hybrid_json(const HybridReport& hybrid) {
+  return {{"holes", hybrid.holes},
+          {"by_triangles", hybrid.by_triangles},
+          {"by_crust", hybrid.by_crust},
+          {"by_solid", hybrid.by_solid},
+          {"left_out", hybrid.left_out},
+          {"patch_triangles", hybrid.patch_triangles},
+          {"added_vertices", hybrid.added_vertices},
+          {"unused_samples", hybrid.unused_samples}};
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -126,6 +137,7 @@ std::string to_json(const Report& report) {
   if (report.poles) json["poles"] = poles_json(*report.poles);
   if (report.power) json["power"] = power_json(*report.power);
   if (report.shape) json["shape"] = shape_json(*report.shape);
+  if (report.hybrid) json["hybrid"] = hybrid_json(*report.hybrid);
   using Pointer = Json::json_pointer;
   return dump(json, {Pointer("/surface/delta_histogram"), Pointer("/memory_over_time/seconds"),
                      Pointer("/memory_over_time/resident_bytes")}) +

@@ -67,6 +67,18 @@ struct ShapeReport {
   }
 };
 
+/// How the holes of the gamma shape were closed (engine/hybrid/hybrid_stage.h).
+struct HybridReport {
+  std::uint64_t holes = 0;
+  std::uint64_t by_triangles = 0;  ///< closed by triangles over their rings
+  std::uint64_t by_crust = 0;      ///< closed by patches of the crust
+  std::uint64_t by_solid = 0;      ///< no patch: filled by the solid's triangles
+  std::uint64_t left_out = 0;      ///< no patch: left open
+  std::uint64_t patch_triangles = 0;
+  std::uint64_t added_vertices = 0;
+  std::uint64_t unused_samples = 0;  ///< samples within patches, without a triangle of them
+};
+
 struct Report {
   struct {
     std::uint64_t points = 0;      ///< as delivered, duplicates and rejected ones included
@@ -105,6 +117,7 @@ struct Report {
   std::optional<PoleReport> poles;  ///< where the run needed them
   std::optional<PowerReport> power;
   std::optional<ShapeReport> shape;
+  std::optional<HybridReport> hybrid;
   struct {
     std::uint64_t count = 0;
     std::uint64_t splits = 0;       ///< windows that were begun too large

@@ -82,7 +82,7 @@ void check_chunked(const RunOptions& options) {
   const SurfaceKind kind = options.surface;
   require(axis.empty() || (kind != SurfaceKind::kGamma && kind != SurfaceKind::kAlpha),
           fmt::format("--medial-axis needs an inside, and --surface {} has none; "
-                      "use --surface solid, crust or none",
+                      "use --surface solid, crust, hybrid or none",
                       kind_name(kind)));
   check_faces(options);
   const std::string surface = kind == SurfaceKind::kNone ? "" : options.output;
@@ -101,6 +101,10 @@ void check_unused(const RunOptions& options) {
   require(options.surface != SurfaceKind::kCrust,
           "--unused names samples that no triangle has, and the crust has corners of its own; "
           "leave --unused out or use --surface solid");
+  require(
+      options.surface != SurfaceKind::kHybrid,
+      "--unused is not made of the hybrid, whose cloud has far points; leave --unused out or use "
+      "--surface solid");
   const auto unused = place_of(path);
   const auto require_outside = [&](const char* option, const std::string& other) {
     if (other.empty() || other == "-") return;

@@ -24,6 +24,7 @@ enum class TriangleSource : std::uint8_t {
   kAlpha = 1,
   kFill = 2,   ///< of the solid, beyond the gamma shape
   kCrust = 3,  ///< between a ball inside and one outside
+  kPatch = 4,  ///< of the hybrid: closes a hole of the gamma shape
 };
 
 /// A part of the surface. Arrays of points have one length, arrays of triangles another; every

@@ -53,7 +53,6 @@ TEST_F(Refusals, OfUsageAre64) {
       {"cube.ply -o out.obj", 64, ".pvtp, .ply or .vtk"},
       {"cube.ply -o out.pvtp --frobnicate", 64, "frobnicate"},
       {"cube.ply -o out.pvtp --surface klein", 64, "--surface"},
-      {"cube.ply -o out.pvtp --surface hybrid", 64, "not yet"},
       {"cube.ply -o out.pvtp --tetrahedra t.vtu", 64, "must end in .pvtu"},
       {"cube.ply -o out.pvtp --tetrahedra out.pvtu", 64, "one folder"},
       {"cube.ply -o ./out.pvtp --tetrahedra out.pvtu", 64, "one folder"},

@@ -94,7 +94,7 @@ Stored stored_poles(const Cloud& cloud, const How& how) {
   stored.counts = store_poles({exports, forest.labels}, 0, stage.context);
   stored.poles = read_poles(stage);
   stored.bytes = file_bytes(stage.scratch.path() + "/" + kPoleStore);
-  label_facets(exports, forest.labels, {{points, points}, {}}, stage.context);
+  label_facets(exports, forest.labels, {.exports = {{points, points}, {}}}, stage.context);
   const ExportReader labelled(stage.scratch, stage.budget, kLabelledPrefix);
   labelled.visit<FacetRecord>(ExportKind::kFacets, 0, [&](std::span<const FacetRecord> facets) {
     for (const FacetRecord& facet : facets) stored.solid.insert(facet.ranks);

@@ -2,7 +2,8 @@
 stream_recon_test(engine_test PARALLEL
   SOURCES engine_ball_walk_test.cpp engine_budget_test.cpp engine_chunk_loop_test.cpp
     engine_crust_test.cpp engine_disk_test.cpp engine_facet_filter_test.cpp
-    engine_far_points_test.cpp engine_faults_test.cpp engine_memory_trace_test.cpp
+    engine_far_points_test.cpp engine_faults_test.cpp engine_hybrid_test.cpp
+    engine_memory_trace_test.cpp
     engine_order_test.cpp engine_pole_store_test.cpp engine_poles_test.cpp engine_power_test.cpp
     engine_progress_test.cpp engine_report_test.cpp engine_shape_test.cpp engine_sheets_test.cpp
     engine_solid_test.cpp engine_spacing_test.cpp engine_surface_test.cpp
@@ -27,6 +28,7 @@ if(STREAM_RECON_TOOLS)
   find_package(PNG REQUIRED)
   stream_recon_test(cli_test
     SOURCES cli_check_test.cpp cli_crust_test.cpp cli_errors_test.cpp cli_html_test.cpp
+      cli_hybrid_test.cpp
       cli_manifold_test.cpp cli_medial_axis_test.cpp cli_pipe_test.cpp cli_restart_test.cpp
       cli_results_test.cpp cli_solid_test.cpp
       cli_tetrahedra_test.cpp

@@ -13,7 +13,6 @@
 
 #include "engine/reconstruct.h"
 #include "engine/size_text.h"
-#include "engine/version.h"
 #include "io/atomic_output.h"
 #include "tools/html/run_page.h"
 #include "tools/run_tool.h"
@@ -60,10 +59,10 @@ void add_spacing(CLI::App& app, std::optional<std::array<double, 3>>& spacing) {
     spacing = lengths;
     return true;
   };
-  app.add_option(
-         "--spacing", read,
-         "solid, crust: of the grid the points were sampled on, SX,SY,SZ or one number, units "
-         "of the input (default: what the input says)")
+  app.add_option("--spacing", read,
+                 "solid, crust, hybrid: of the grid the points were sampled on, SX,SY,SZ or one "
+                 "number, units "
+                 "of the input (default: what the input says)")
       ->option_text("S");
 }
 
@@ -72,14 +71,15 @@ void add_medial_axis_options(CLI::App& app, RunOptions& run) {
   for (const char* name : kPoleSideNames) {
     sides.emplace(name, static_cast<PoleSide>(sides.size()));
   }
-  app.add_option(
-         "--medial-axis", run.medial_axis,
-         "solid, crust, none: also the medial axis, balls that touch the samples from within: "
-         "OUT.pvtp with a folder of chunks")
+  app.add_option("--medial-axis", run.medial_axis,
+                 "solid, crust, hybrid, none: also the medial axis, balls that touch the samples "
+                 "from within: "
+                 "OUT.pvtp with a folder of chunks")
       ->option_text("OUT");
-  app.add_option("--pole-tolerance", run.pole_tolerance,
-                 "crust, medial axis: balls that differ by less than about this length become one "
-                 "(default: 0, only the very same)")
+  app.add_option(
+         "--pole-tolerance", run.pole_tolerance,
+         "crust, hybrid, medial axis: balls that differ by less than about this length become one "
+         "(default: 0, only the very same)")
       ->option_text("LENGTH");
   app.add_option("--medial-axis-side", run.medial_axis_side,
                  "Which balls: inner (default), outer or both")
@@ -96,7 +96,7 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
          "-o,--output", line.run.output,
          "OUT.pvtp with a folder of chunks, OUT.ply or OUT.vtk, or - for PLY on standard output")
       ->option_text("OUT");
-  app.add_option("--surface", line.surface, "solid (default), crust, gamma, alpha or none")
+  app.add_option("--surface", line.surface, "solid (default), hybrid, crust, gamma, alpha or none")
       ->check(CLI::IsMember({"gamma", "alpha", "none", "crust", "hybrid", "solid"}))
       ->option_text("KIND");
   app.add_option("--delta-max", line.run.delta_max_degrees,
@@ -109,13 +109,19 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
          "solid: leave facets beyond the gamma shape out where their circumradius is more "
          "than this many spacings of the samples (default: all are there, a closed surface)")
       ->option_text("RATIO");
+  app.add_option("--fill", line.run.fills_with_solid,
+                 "hybrid: what holes get that no patch closes: none (default) or solid, the "
+                 "triangles of that surface")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, bool>{{"none", false}, {"solid", true}}))
+      ->option_text("WITH");
   app.add_flag(
       "--manifold", line.run.manifold,
       "solid, crust: split the surface where it touches itself, so that every edge has two "
       "triangles and every vertex one fan of them");
   add_spacing(app, line.run.grid_spacing);
   app.add_option("--unused", line.run.unused,
-                 "All but crust: also the points that no triangle has, in OUT.ply")
+                 "All but crust, hybrid: also the points that no triangle has, in OUT.ply")
       ->option_text("OUT");
   app.add_option("--tetrahedra", line.run.tetrahedra,
                  "Also the Delaunay tetrahedra: OUT.pvtu with a folder of chunks")
@@ -172,16 +178,6 @@ void add_report_options(CLI::App& app, CommandLine& line) {
       ->option_text("STYLE");
 }
 
-void refuse_what_is_not_yet(const CommandLine& line) {
-  const auto refuse = [](const std::string& what, const std::string& instead) {
-    throw std::invalid_argument(
-        fmt::format("{} is not yet in version {}; {}", what, version(), instead));
-  };
-  if (line.surface == "hybrid") {
-    refuse("--surface hybrid", "use solid, crust, gamma, alpha or none");
-  }
-}
-
 void check_combinations(const CLI::App& app, const CommandLine& line) {
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw std::invalid_argument(message);
@@ -191,16 +187,20 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
   require(line.surface == "gamma" || app.count("--delta-max") == 0,
           "--delta-max is for --surface gamma; leave it out");
   const bool has_axis = !line.run.medial_axis.empty();
+  const bool needs_power = line.surface == "crust" || line.surface == "hybrid";
+  require(line.surface == "hybrid" || app.count("--fill") == 0,
+          "--fill is for --surface hybrid; add that or leave --fill out");
   for (const char* option : {"--open", "--spacing"}) {
-    const bool has_labels = has_axis || line.surface == "crust";
+    const bool has_labels = has_axis || needs_power;
     const bool is_theirs = has_labels && std::string_view(option) == "--spacing";
     if (line.surface != "solid" && !is_theirs && app.count(option) != 0) {
       throw std::invalid_argument(
           fmt::format("{0} is for --surface solid; add that or leave {0} out", option));
     }
   }
-  require(has_axis || line.surface == "crust" || app.count("--pole-tolerance") == 0,
-          "--pole-tolerance is for --surface crust and --medial-axis; add one or leave it out");
+  require(
+      has_axis || needs_power || app.count("--pole-tolerance") == 0,
+      "--pole-tolerance is for --surface crust, hybrid and --medial-axis; add one or leave it out");
   require(has_axis || app.count("--medial-axis-side") == 0,
           "--medial-axis-side is for --medial-axis; add that or leave --medial-axis-side out");
   require(
@@ -243,11 +243,10 @@ void write_html(const CommandLine& line, const Report& report) {
 }
 
 void reconstruct_and_report(CommandLine& line, StopRequest& stop) {
-  const std::map<std::string, SurfaceKind> kinds{{"gamma", SurfaceKind::kGamma},
-                                                 {"alpha", SurfaceKind::kAlpha},
-                                                 {"solid", SurfaceKind::kSolid},
-                                                 {"crust", SurfaceKind::kCrust},
-                                                 {"none", SurfaceKind::kNone}};
+  const std::map<std::string, SurfaceKind> kinds{
+      {"gamma", SurfaceKind::kGamma},   {"alpha", SurfaceKind::kAlpha},
+      {"solid", SurfaceKind::kSolid},   {"crust", SurfaceKind::kCrust},
+      {"hybrid", SurfaceKind::kHybrid}, {"none", SurfaceKind::kNone}};
   line.run.surface = kinds.at(line.surface);
   line.run.stop = &stop;
   line.run.on_notice = [](const std::string& notice) { spdlog::warn("{}", notice); };
@@ -289,7 +288,6 @@ int main(int argc, char** argv) {
   add_report_options(app, line);
   int code = kDone;
   const int tool_code = run_tool(app, argc, argv, [&] {
-    refuse_what_is_not_yet(line);
     check_combinations(app, line);
     code = run(line);
   });

@@ -17,9 +17,6 @@ namespace {
 
 constexpr std::uint32_t kUnnumbered = std::numeric_limits<std::uint32_t>::max();
 
-/// Rarely more.
-constexpr std::size_t kVerticesAPole = 12;
-
 /// Of a cell with positive orientation: (i, j, k, l) is an even permutation for each row (i, j, k).
 constexpr std::array<std::array<int, 4>, 12> kEven{{{0, 1, 2, 3},
                                                     {0, 2, 3, 1},
@@ -64,15 +61,14 @@ std::uint32_t commonest(std::array<std::uint32_t, 16> samples,
 
 class CrustExtraction {
  public:
-  CrustExtraction(const PowerWindow& power, const CrustFacesOptions& options,
-                  const CrustFacesFiles& files)
+  CrustExtraction(const PowerWindow& power, const CrustFacesOptions& options, CrustSink& sink)
       : options_(options),
-        files_(files),
+        sink_(sink),
         poles_(power.poles()),
         samples_(power.samples().view()),
         cells_(power.triangulation().view()),
         numbers_(cells_.slots(), kUnnumbered) {
-    names_.reserve(poles_.owned_count() * kVerticesAPole);
+    names_.reserve(poles_.owned_count() * kCrustVerticesAPole);
   }
 
   CrustFacesCounts run() {
@@ -142,11 +138,13 @@ class CrustExtraction {
         polygon_.begin(), polygon_.end(),
         [this](std::uint32_t a, std::uint32_t b) { return names_[a] < names_[b]; });
     std::rotate(polygon_.begin(), lowest, polygon_.end());
+    triangles_.clear();
     for (std::size_t i = 1; i + 1 < polygon_.size(); ++i) {
       const std::array<std::uint32_t, 3> corners{polygon_[0], polygon_[i + 1], polygon_[i]};
       if (corners[1] == corners[0] || corners[2] == corners[0]) continue;
-      files_.triangles.append({corners, delta});
+      triangles_.push_back({corners, delta});
     }
+    if (!triangles_.empty()) sink_.take_face(triangles_);
   }
 
   std::uint32_t dual_vertex(CellId cell) {
@@ -200,14 +198,14 @@ class CrustExtraction {
     const auto number = static_cast<std::uint32_t>(names_.size());
     vertex.window = options_.window;
     vertex.position = number;
-    files_.vertices.append(vertex);
+    sink_.take_vertex(vertex);
     names_.push_back(vertex.name);
     ++counts_.vertices;
     return number;
   }
 
   const CrustFacesOptions options_;
-  const CrustFacesFiles files_;
+  CrustSink& sink_;
   const SamplePoles& poles_;
   const FinalWindow samples_;
   const WeightedCellView cells_;
@@ -215,22 +213,23 @@ class CrustExtraction {
   std::vector<std::uint32_t> of_sample_;  ///< of samples that are vertices
   std::vector<CellId> ring_;
   std::vector<std::uint32_t> polygon_;
-  std::vector<CrustVertexName> names_;  ///< of vertices
+  std::vector<CrustTriangle> triangles_;  ///< of the polygon
+  std::vector<CrustVertexName> names_;    ///< of vertices
   CrustFacesCounts counts_;
 };
 
 }  // namespace
 
 CrustFacesCounts write_crust_faces(const PowerWindow& power, const CrustFacesOptions& options,
-                                   const CrustFacesFiles& files) {
-  return CrustExtraction(power, options, files).run();
+                                   CrustSink& sink) {
+  return CrustExtraction(power, options, sink).run();
 }
 
 std::uint64_t crust_faces_memory(const PowerWindow& power) {
   const std::uint64_t owned = power.poles().owned_count();
   const std::uint64_t numbers =
       power.triangulation().cell_slots() + power.samples().view().delaunay().vertex_count();
-  return owned * kVerticesAPole * sizeof(CrustVertexName) + numbers * sizeof(std::uint32_t);
+  return owned * kCrustVerticesAPole * sizeof(CrustVertexName) + numbers * sizeof(std::uint32_t);
 }
 
 }  // namespace stream_recon

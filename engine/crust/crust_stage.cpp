@@ -1,34 +1,12 @@
 #include "engine/crust/crust_stage.h"
 
-#include <span>
 #include <string>
-#include <vector>
 
-#include "engine/order/point_store.h"
+#include "engine/order/far_ranks.h"
 #include "engine/shape/shape_store.h"
 #include "engine/windows/cloud_index.h"
 
 namespace stream_recon {
-namespace {
-
-constexpr std::size_t kBatch = 1 << 12;
-
-/// Of the points that are no samples, ascending.
-std::vector<std::uint32_t> far_ranks(const CloudSummary& cloud, const StageContext& context) {
-  std::vector<std::uint32_t> ranks;
-  PointStoreReader store(context.scratch, kPointStore);
-  std::vector<StoredPoint> batch(kBatch);
-  std::uint32_t rank = 0;
-  while (const std::size_t count = store.read(batch)) {
-    for (std::size_t i = 0; i < count; ++i, ++rank) {
-      if (batch[i].input_index >= cloud.points) ranks.push_back(rank);
-    }
-  }
-  return ranks;
-}
-
-}  // namespace
-
 CrustSurface build_crust(const CloudSummary& cloud, std::uint64_t point_count,
                          const CrustStageOptions& options, const StageContext& context) {
   for (const std::string& name : context.scratch.names()) {
@@ -50,9 +28,7 @@ CrustSurface build_crust(const CloudSummary& cloud, std::uint64_t point_count,
   const CrustAssemblyOptions assembly{.input_points = cloud.points + cloud.far_points,
                                       .chunk_points = options.chunk_points};
   return {.facts = options.has_crust ? assemble_crust(windows, assembly, context) : CrustFacts{},
-          .counts = windows.counts,
-          .windows = windows.windows.size(),
-          .unbounded = windows.unbounded,
+          .power = windows.power,
           .shape = windows.shape};
 }
 

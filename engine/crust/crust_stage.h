@@ -24,10 +24,8 @@ struct CrustStageOptions {
 
 struct CrustSurface {
   CrustFacts facts;  ///< without a crust all 0
-  PowerCounts counts;
-  std::uint64_t windows = 0;
-  std::uint64_t unbounded = 0;  ///< faces left out
-  ShapeCounts shape;            ///< without a power shape all 0
+  PowerTotals power;
+  ShapeCounts shape;  ///< without a power shape all 0
 };
 
 /// \pre The pole store is in the scratch directory, and `cloud` has far points.

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/crust/chosen_ranges.h"
 #include "engine/crust/crust_faces.h"
 #include "engine/parallel.h"
 #include "engine/shape/shape_store.h"
@@ -33,8 +34,14 @@ struct Plan {
   std::uint64_t window_points;
 };
 
-Plan plan_for(const CloudIndex& index, const CrustWindowOptions& options,
-              const MemoryBudget& budget) {
+std::uint64_t points_of(const std::vector<OwnedRange>& ranges) {
+  std::uint64_t points = 0;
+  for (const OwnedRange& range : ranges) points += range.count;
+  return points;
+}
+
+Plan plan_for(const CloudIndex& index, const std::vector<OwnedRange>& ranges,
+              const CrustWindowOptions& options, const MemoryBudget& budget) {
   Plan plan{};
   const std::uint64_t available = budget.available();
   const std::uint64_t fixed =
@@ -62,33 +69,51 @@ Plan plan_for(const CloudIndex& index, const CrustWindowOptions& options,
   std::uint64_t points = plan.window_bytes / kBytesASample;
   if (options.window_points != 0) points = std::min(points, options.window_points);
   points = std::max(points, kLeafPoints);
-  std::uint64_t windows = quotient_up(index.point_count, points);
+  const std::uint64_t all = points_of(ranges);
+  std::uint64_t windows = std::max<std::uint64_t>(1, quotient_up(all, points));
   windows = quotient_up(windows, plan.threads) * plan.threads;
-  plan.window_points =
-      quotient_up(quotient_up(index.point_count, windows), kLeafPoints) * kLeafPoints;
+  plan.window_points = quotient_up(quotient_up(all, windows), kLeafPoints) * kLeafPoints;
   return plan;
 }
 
+class CrustFiles final : public CrustSink {
+ public:
+  CrustFiles(ScratchDirectory& scratch, const CrustWindow& window)
+      : vertices_(create_records<CrustVertex>(scratch, window.vertices_file(), kBlock)),
+        triangles_(create_records<CrustTriangle>(scratch, window.triangles_file(), kBlock)) {}
+
+  void take_vertex(const CrustVertex& vertex) override { vertices_.append(vertex); }
+  void take_face(std::span<const CrustTriangle> triangles) override {
+    triangles_.append(triangles);
+  }
+  void finish() override {
+    vertices_.finish();
+    triangles_.finish();
+  }
+
+ private:
+  RecordWriter<CrustVertex> vertices_;
+  RecordWriter<CrustTriangle> triangles_;
+};
+
 class WindowLoop {
  public:
-  WindowLoop(const CloudIndex& index, const CrustWindowOptions& options,
-             const StageContext& context)
-      : WindowLoop(index, options, plan_for(index, options, context.budget), context) {}
-
-  WindowLoop(const CloudIndex& index, const CrustWindowOptions& options, const Plan& plan,
-             const StageContext& context)
+  WindowLoop(const CloudIndex& index, std::vector<OwnedRange> ranges,
+             const CrustWindowOptions& options, const StageContext& context)
       : index_(index),
+        ranges_(std::move(ranges)),
         options_(options),
-        plan_(plan),
+        plan_(plan_for(index, ranges_, options, context.budget)),
         context_(context),
-        memory_(context.budget.reserve(plan.cache_bytes + plan.pole_pages * PoleIndex::kPageMemory +
-                                           plan.threads * (plan.fixed_bytes + plan.window_bytes),
+        memory_(context.budget.reserve(plan_.cache_bytes +
+                                           plan_.pole_pages * PoleIndex::kPageMemory +
+                                           plan_.threads * (plan_.fixed_bytes + plan_.window_bytes),
                                        "the windows of the crust")),
-        poles_(context.scratch, plan.pole_pages),
-        caches_(context.scratch, index, plan.cache_bytes) {}
+        poles_(context.scratch, plan_.pole_pages),
+        caches_(context.scratch, index, plan_.cache_bytes) {}
 
   CrustWindows run() {
-    context_.progress.begin_stage("crust", index_.point_count, "points");
+    context_.progress.begin_stage("crust", points_of(ranges_), "points");
     parallel_for_ranges(plan_.threads, 1, [this](std::size_t begin, std::size_t end) {
       for (std::size_t worker = begin; worker < end; ++worker) work();
     });
@@ -110,8 +135,12 @@ class WindowLoop {
 
   OwnedRange next_range() {
     const std::lock_guard lock(mutex_);
-    const OwnedRange owned{next_, std::min(plan_.window_points, index_.point_count - next_)};
-    next_ += owned.count;
+    if (range_ == ranges_.size()) return {0, 0};
+    OwnedRange& range = ranges_[range_];
+    const OwnedRange owned{range.first, std::min(plan_.window_points, range.count)};
+    range.first += owned.count;
+    range.count -= owned.count;
+    if (range.count == 0) ++range_;
     return owned;
   }
 
@@ -133,23 +162,29 @@ class WindowLoop {
       if (samples.build(owned, plan_.window_bytes) != Outcome::kDone) return false;
     }
     PowerWindow power(samples, poles_, finder);
-    if (power.build(owned, plan_.window_bytes) != Outcome::kDone) return false;
+    if (power.build(owned, plan_.window_bytes, options_.choice) != Outcome::kDone) return false;
     power.forget_walks();
     if (power.bytes() + faces_memory(power) > plan_.window_bytes) return false;
     {
       const ThreadClock clock(seconds.faces);
       if (options_.has_shape) write_shape(owned, shape_faces(power));
       const std::uint32_t number = reserve_number();
-      if (options_.has_crust) write_crust(number, owned, power);
+      if (options_.make_sink) {
+        give_crust({number, options_.far_ranks}, *options_.make_sink(owned.first), power);
+      } else if (options_.has_crust) {
+        write_crust(number, owned, power);
+      }
     }
     const std::lock_guard lock(mutex_);
-    result_.counts.add(power.counts());
-    result_.counts.seconds.add(seconds);
+    result_.power.counts.add(power.counts());
+    result_.power.counts.seconds.add(seconds);
     return true;
   }
 
   std::uint64_t faces_memory(const PowerWindow& power) const {
-    return std::max(options_.has_crust ? crust_faces_memory(power) : 0,
+    const std::uint64_t sink =
+        power.poles().owned_count() * options_.sink_bytes_a_vertex * kCrustVerticesAPole;
+    return std::max(options_.has_crust ? crust_faces_memory(power) + sink : 0,
                     options_.has_shape ? shape_faces_memory(power) : 0);
   }
 
@@ -163,27 +198,30 @@ class WindowLoop {
   std::uint32_t reserve_number() {
     const std::lock_guard lock(mutex_);
     result_.windows.emplace_back();
-    return static_cast<std::uint32_t>(result_.windows.size() - 1);
+    return static_cast<std::uint32_t>(result_.power.windows++);
   }
 
   void write_crust(std::uint32_t number, const OwnedRange& owned, const PowerWindow& power) {
     CrustWindow window{owned.first, 0};
-    auto vertices = create_records<CrustVertex>(context_.scratch, window.vertices_file(), kBlock);
-    auto triangles =
-        create_records<CrustTriangle>(context_.scratch, window.triangles_file(), kBlock);
-    const CrustFacesCounts counts =
-        write_crust_faces(power, {number, options_.far_ranks}, {vertices, triangles});
-    vertices.finish();
-    triangles.finish();
-    window.vertices = counts.vertices;
+    CrustFiles files(context_.scratch, window);
+    window.vertices = give_crust({number, options_.far_ranks}, files, power);
     if (window.vertices == 0) {
       context_.scratch.remove(window.vertices_file());
       context_.scratch.remove(window.triangles_file());
     }
     const std::lock_guard lock(mutex_);
     result_.windows[number] = window;
+  }
+
+  /// The number of vertices.
+  std::uint32_t give_crust(const CrustFacesOptions& options, CrustSink& sink,
+                           const PowerWindow& power) {
+    const CrustFacesCounts counts = write_crust_faces(power, options, sink);
+    sink.finish();
+    const std::lock_guard lock(mutex_);
     result_.faces += counts.faces;
-    result_.unbounded += counts.unbounded;
+    result_.power.unbounded += counts.unbounded;
+    return counts.vertices;
   }
 
   void split(CertifiedWindow& samples, PoleFinder& finder, const OwnedRange& owned) {
@@ -203,14 +241,15 @@ class WindowLoop {
   }
 
   const CloudIndex& index_;
+  std::vector<OwnedRange> ranges_;  ///< what is left of them
   const CrustWindowOptions& options_;
   const Plan plan_;
   const StageContext& context_;
   Reservation memory_;
   PoleIndex poles_;
   IndexCaches caches_;
-  std::mutex mutex_;  ///< guards what follows
-  PointRank next_ = 0;
+  std::mutex mutex_;       ///< guards what follows
+  std::size_t range_ = 0;  ///< the first that is not done
   CrustWindows result_;
 };
 
@@ -218,7 +257,9 @@ class WindowLoop {
 
 CrustWindows build_crust_windows(const CloudIndex& index, const CrustWindowOptions& options,
                                  const StageContext& context) {
-  return WindowLoop(index, options, context).run();
+  std::vector<OwnedRange> ranges{{0, index.point_count}};
+  if (options.choice != nullptr) ranges = chosen_ranges(*options.choice, index, context);
+  return WindowLoop(index, std::move(ranges), options, context).run();
 }
 
 }  // namespace stream_recon

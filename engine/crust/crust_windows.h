@@ -8,9 +8,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "engine/crust/crust_sink.h"
 #include "engine/power/power_window.h"
 #include "engine/shape/shape_faces.h"
 #include "engine/stage_context.h"
@@ -27,11 +30,17 @@ struct CrustWindow {
   std::string triangles_file() const { return "crust_triangles_" + std::to_string(first_rank); }
 };
 
+/// What all windows of the power diagram counted.
+struct PowerTotals {
+  PowerCounts counts;
+  std::uint64_t windows = 0;
+  std::uint64_t unbounded = 0;  ///< faces left out
+};
+
 struct CrustWindows {
   std::vector<CrustWindow> windows;  ///< as CrustVertex::window numbers them
-  PowerCounts counts;
+  PowerTotals power;
   std::uint64_t faces = 0;
-  std::uint64_t unbounded = 0;  ///< faces left out
   std::uint64_t splits = 0;
   std::vector<std::uint64_t> shape_windows;  ///< first ranks of those that left faces of the shape
   ShapeCounts shape;
@@ -43,7 +52,14 @@ struct CrustWindowOptions {
   std::uint64_t window_points = 0;
   /// Ranks of the points that are no samples (order/far_points.h), ascending.
   std::vector<std::uint32_t> far_ranks;
-  bool has_crust = true;   ///< its faces are written
+  bool has_crust = true;  ///< its faces are written
+  /// Only the poles that touch one of these have their faces made; null: all.
+  const SampleChoice* choice = nullptr;
+  /// Makes what takes the faces of a window, by its first rank, instead of the files of
+  /// CrustWindow; called, and used, by several threads at once. It holds as many bytes a vertex as
+  /// said below.
+  std::function<std::unique_ptr<CrustSink>(std::uint64_t)> make_sink = {};
+  std::uint64_t sink_bytes_a_vertex = 0;
   bool has_shape = false;  ///< those of the power shape are (shape/shape_store.h)
 };
 

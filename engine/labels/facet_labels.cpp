@@ -1,7 +1,9 @@
 #include "engine/labels/facet_labels.h"
 
+#include <algorithm>
 #include <array>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,7 +14,8 @@
 namespace stream_recon {
 namespace {
 
-constexpr std::uint64_t kWindowMemory = ExportWriter::memory() + (std::uint64_t{1} << 20);
+constexpr std::uint64_t kWindowMemory =
+    ExportWriter::memory() + record_file_memory(kFillsBlock) + (std::uint64_t{1} << 20);
 
 FacetRecord facet_of(const CandidateFacet& candidate, Facing facing) {
   return {.ranks = {candidate.ranks[0], candidate.ranks[1], candidate.ranks[2]},
@@ -25,7 +28,7 @@ FacetRecord facet_of(const CandidateFacet& candidate, Facing facing) {
 class FacetLabels {
  public:
   FacetLabels(const ExportReader& windows, const WindowLabels& labels,
-              const SolidExportOptions& options, const StageContext& context)
+              const FacetLabelOptions& options, const StageContext& context)
       : windows_(windows), labels_(labels), options_(options), context_(context) {}
 
   FacetLabelCounts run() {
@@ -48,6 +51,7 @@ class FacetLabels {
     const Reservation memory = context_.budget.reserve(kWindowMemory, "labelling facets");
     const NodeLabels labels = labels_.labels(first_rank);
     ExportWriter out(context_.scratch, first_rank, kLabelledPrefix);
+    std::optional<RecordWriter<FacetRecord>> fills;
     FacetLabelCounts counts;
     std::vector<FacetRecord> facets;
     const auto visit = [&](std::span<const CandidateFacet> candidates) {
@@ -62,11 +66,28 @@ class FacetLabels {
         }
       }
       counts.facets += facets.size();
-      export_solid_facets(facets, options_, out);
+      if (options_.sets_fills_apart) set_fills_apart(facets, first_rank, fills);
+      export_solid_facets(facets, options_.exports, out);
     };
     windows_.visit<CandidateFacet>(ExportKind::kCandidates, first_rank, visit);
     out.finish();
+    if (fills) fills->finish();
     return counts;
+  }
+
+  /// Into a file that is made for the first of them.
+  void set_fills_apart(std::vector<FacetRecord>& facets, PointRank first_rank,
+                       std::optional<RecordWriter<FacetRecord>>& out) const {
+    const auto first = std::stable_partition(
+        facets.begin(), facets.end(),
+        [](const FacetRecord& facet) { return facet.source != TriangleSource::kFill; });
+    if (first == facets.end()) return;
+    if (!out) {
+      out.emplace(create_records<FacetRecord>(context_.scratch,
+                                              export_name(first_rank, kFillsPrefix), kFillsBlock));
+    }
+    out->append(std::span<const FacetRecord>(first, facets.end()));
+    facets.erase(first, facets.end());
   }
 
   void take(const FacetLabelCounts& counts) {
@@ -78,7 +99,7 @@ class FacetLabels {
 
   const ExportReader& windows_;
   const WindowLabels& labels_;
-  const SolidExportOptions& options_;
+  const FacetLabelOptions& options_;
   const StageContext& context_;
   std::mutex mutex_;
   FacetLabelCounts counts_;
@@ -87,7 +108,7 @@ class FacetLabels {
 }  // namespace
 
 FacetLabelCounts label_facets(const ExportReader& windows, const WindowLabels& labels,
-                              const SolidExportOptions& options, const StageContext& context) {
+                              const FacetLabelOptions& options, const StageContext& context) {
   return FacetLabels(windows, labels, options, context).run();
 }
 

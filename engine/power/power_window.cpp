@@ -79,14 +79,15 @@ PowerWindow::PowerWindow(CertifiedWindow& samples, const PoleIndex& index, PoleF
       reach_{.reach = index.reach(), .rounding = kPoleRounding},
       power_({.range = index.range()}) {}
 
-PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t memory_bytes) {
+PowerWindow::Outcome PowerWindow::build(const OwnedRange& owned, std::uint64_t memory_bytes,
+                                        const SampleChoice* choice) {
   memory_bytes_ = memory_bytes;
   const double square = typical_square(samples_.view());
   reach_.most_error = kMostError * square;
   tie_error_ = kTieError * square;
   {
     const ThreadClock clock(counts_.seconds.touching);
-    poles_.add_owned(owned);
+    poles_.add_owned(owned, choice);
   }
   poles_.add_some(some_);
   if (!close_owned()) return Outcome::kOutgrown;

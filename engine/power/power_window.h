@@ -47,10 +47,12 @@ class PowerWindow {
   PowerWindow(CertifiedWindow& samples, const PoleIndex& index, PoleFinder& finder);
 
   /// \param memory_bytes for the samples' window as well
+  /// \param choice owned poles are those that touch one of these; null: all
   /// \return kOutgrown: the memory does not hold it; build it anew for fewer samples
   /// \pre The samples' window has been built for `owned` with whole stars. Called once.
   /// \throw IoError, Interrupted; InputError balls whose sizes exact arithmetic cannot hold
-  Outcome build(const OwnedRange& owned, std::uint64_t memory_bytes);
+  Outcome build(const OwnedRange& owned, std::uint64_t memory_bytes,
+                const SampleChoice* choice = nullptr);
 
   /// Gives back what only build() needs.
   void forget_walks() { walk_.reset(); }

@@ -21,12 +21,13 @@ void SamplePoles::add(PoleNumber number, const Pole& pole, CellId cell) {
   added_.push_back(site_of(pole));
 }
 
-void SamplePoles::add_owned(const OwnedRange& owned) {
+void SamplePoles::add_owned(const OwnedRange& owned, const SampleChoice* choice) {
   const PoleNumber begin = finder_.lower_bound(static_cast<std::uint32_t>(owned.first));
   const PoleNumber end = finder_.lower_bound(static_cast<std::uint32_t>(owned.end()));
   for (PoleNumber number = begin; number < end; ++number) {
     const Pole& pole = finder_.pole(number);
-    if (pole.is_inside != 0) add(number, pole, kNoCell);
+    const bool is_wanted = choice == nullptr || choice->has_corner_of(pole.tetrahedron);
+    if (pole.is_inside != 0 && is_wanted) add(number, pole, kNoCell);
   }
   owned_count_ = count();
   find_cells_of_owned(owned);

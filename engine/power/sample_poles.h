@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/power/pole_finder.h"
+#include "engine/power/sample_choice.h"
 #include "engine/windows/certified_window.h"
 #include "spatial/regular_triangulation.h"
 
@@ -33,9 +34,9 @@ class SamplePoles {
   SamplePoles(const CertifiedWindow& samples, PoleFinder& finder)
       : samples_(samples), finder_(finder) {}
 
-  /// All poles inside the body whose lowest sample is in the range. \pre Called first, once.
-  /// \throw IoError
-  void add_owned(const OwnedRange& owned);
+  /// All poles inside the body whose lowest sample is in the range, and that touch a sample of the
+  /// choice, if there is one. \pre Called first, once. \throw IoError
+  void add_owned(const OwnedRange& owned, const SampleChoice* choice);
   /// These as well, without cells. \pre Ascending. Called after add_owned(), once.
   void add_some(std::span<const NumberedPole> some);
   /// Adds the final cell's pole, if it is one and not there yet. \throw IoError

@@ -77,6 +77,9 @@ RunIdentity identity_of(const RunOptions& options) {
   if (options.surface == SurfaceKind::kSolid && options.open_ratio) {
     identity["--open"] = fmt::format("{}", *options.open_ratio);
   }
+  if (options.surface == SurfaceKind::kHybrid) {
+    identity["--fill"] = options.fills_with_solid ? "solid" : "none";
+  }
   if (options.needs_labels() && options.grid_spacing) {
     identity["--spacing"] = fmt::format("{}", fmt::join(*options.grid_spacing, ","));
   }

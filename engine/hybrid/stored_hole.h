@@ -1,0 +1,55 @@
+// Holes as the search left them, one after the other, with the crust near them where there is any.
+//
+// Thread rule: a reader belongs to one thread. Memory: HoleReader::memory(), and about bytes() a
+// hole that was read.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/hybrid/crust_piece.h"
+#include "engine/hybrid/hole.h"
+#include "engine/hybrid/hole_group.h"
+
+namespace stream_recon {
+
+struct StoredHole {
+  std::uint32_t number = 0;
+  std::vector<std::uint32_t> ranks;  ///< of hole.points
+  std::vector<HoleFill> records;     ///< of hole.fills
+  Hole hole;
+  CrustPiece crust;
+
+  std::uint64_t bytes() const;
+};
+
+class HoleReader {
+ public:
+  /// \pre find_holes() has been called.
+  /// \param crust name of a file of HoleCrust; without it no hole has a crust
+  /// \throw IoError
+  HoleReader(const ScratchDirectory& scratch, const std::optional<std::string>& crust);
+
+  static constexpr std::uint64_t memory() {
+    return HoleGroups<HoleFill>::memory() + HoleGroups<HolePoint>::memory() +
+           HoleGroups<HoleCrust>::memory();
+  }
+
+  /// The number of the next hole; nothing at the end. \throw IoError
+  std::optional<std::uint32_t> next() { return fills_.next_hole(); }
+  /// \pre next() tells a number; that is the hole. \throw IoError
+  StoredHole read();
+  /// Passes it over. \throw IoError
+  void skip();
+
+ private:
+  void read_crust(StoredHole& stored);
+
+  HoleGroups<HoleFill> fills_;
+  HoleGroups<HolePoint> points_;
+  std::optional<HoleGroups<HoleCrust>> crust_;
+};
+
+}  // namespace stream_recon
