@@ -14,6 +14,10 @@ stream_recon_test(engine_labels_forest_test PARALLEL
   SOURCES engine_labels_forest_test.cpp engine_labels_merge_test.cpp
   LIBRARIES stream_recon::engine GTest::gmock)
 
+stream_recon_test(engine_patch_test
+  SOURCES engine_hole_rings_test.cpp engine_patch_test.cpp
+  LIBRARIES stream_recon::engine)
+
 add_executable(restart_driver restart_driver.cpp)
 target_link_libraries(restart_driver PRIVATE stream_recon::engine stream_recon_flags)
 target_include_directories(restart_driver PRIVATE ${PROJECT_SOURCE_DIR})

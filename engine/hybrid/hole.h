@@ -1,0 +1,24 @@
+// A hole of the gamma shape: triangles of the solid that hang together at edges and are no gamma
+// facets.
+//
+// Thread rule: values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "spatial/point.h"
+
+namespace stream_recon {
+
+using HoleEdge = std::array<std::uint32_t, 2>;      ///< from, to
+using HoleTriangle = std::array<std::uint32_t, 3>;  ///< counterclockwise from outside
+
+/// Local numbers: positions in `points`.
+struct Hole {
+  std::vector<Point3> points;  ///< samples: all corners of the fills, in the order of their ranks
+  std::vector<HoleTriangle> fills;  ///< the solid's triangles in the hole
+};
+
+}  // namespace stream_recon

@@ -1,0 +1,51 @@
+// A patch for a hole of the gamma shape: triangles between its samples, cut from the crust.
+//
+// Guarantees: the border of a patch is the hole's, edge by edge and in its direction; every other
+// edge has two triangles; no vertex is added. So it fits without cracks. The inner edges may still
+// be edges of facets outside the hole, which the hole does not tell. Same hole and crust, same
+// patch. Thread rule: pure. Memory: 200 bytes a triangle of the crust, four times that where it is
+// subdivided. Cost: n log n, about 2 us a triangle of the crust.
+// Source: thesis, 2007, chapter 6; docs/algorithms/hybrid.md
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/hybrid/crust_piece.h"
+#include "engine/hybrid/hole.h"
+#include "engine/hybrid/merged_patch.h"
+#include "engine/hybrid/ring_walk.h"
+
+namespace stream_recon {
+
+/// Of a ring that is closed by triangles between its own vertices alone.
+inline constexpr std::size_t kMostRingEdges = 24;
+
+enum class PatchKind : std::uint8_t {
+  kCrust,      ///< a region of the crust
+  kTriangles,  ///< over the ring alone
+  kNone
+};
+
+struct Patch {
+  PatchKind kind = PatchKind::kNone;
+  std::vector<HoleTriangle> triangles;
+  std::uint32_t unused_samples = 0;  ///< points of the hole that no triangle has
+};
+
+struct PatchOptions {
+  RingWalkOptions walk;
+  MergeOptions merge;
+  int most_subdivisions = 1;  ///< of a crust that has no room for all walks
+  double most_area = 4;       ///< of a patch, in areas of the fills: others went astray
+};
+
+Patch make_patch(const Hole& hole, const CrustPiece& crust, const PatchOptions& options = {});
+
+/// Without a crust: for one ring of at most kMostRingEdges edges and no sample inside, triangles
+/// over the ring alone: of least area among those with the fewest inner edges that no fill has.
+std::optional<Patch> close_by_triangles(const Hole& hole);
+
+}  // namespace stream_recon

@@ -1,0 +1,80 @@
+#include "engine/hybrid/patch_check.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace stream_recon {
+namespace {
+
+/// An edge from its lower corner, and what it is used for.
+struct EdgeUse {
+  HoleEdge edge{};
+  int triangles = 0;
+  int turns = 0;  ///< triangles up less triangles down, less the same of the rings
+  int rings = 0;
+};
+
+EdgeUse triangle_use(std::uint32_t from, std::uint32_t to) {
+  return {{std::min(from, to), std::max(from, to)}, 1, from < to ? 1 : -1, 0};
+}
+
+EdgeUse ring_use(std::uint32_t from, std::uint32_t to) {
+  return {{std::min(from, to), std::max(from, to)}, 0, from < to ? -1 : 1, 1};
+}
+
+/// The uses of one edge, added up: as a manifold, the border of which is the ring.
+bool is_in_order(const EdgeUse& sum) {
+  return sum.turns == 0 && sum.triangles == (sum.rings > 0 ? sum.rings : 2);
+}
+
+bool is_sound(const HoleTriangle& t, std::uint32_t point_count) {
+  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] &&
+         *std::max_element(t.begin(), t.end()) < point_count;
+}
+
+bool has_twins(const std::vector<HoleTriangle>& triangles) {
+  std::vector<HoleTriangle> sorted = triangles;
+  for (HoleTriangle& t : sorted) std::sort(t.begin(), t.end());
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+}  // namespace
+
+bool fits_rings(const std::vector<HoleTriangle>& triangles, std::uint32_t point_count,
+                const std::vector<std::vector<std::uint32_t>>& rings) {
+  if (has_twins(triangles)) return false;
+  std::vector<EdgeUse> uses;
+  for (const HoleTriangle& t : triangles) {
+    if (!is_sound(t, point_count)) return false;
+    for (std::size_t i = 0; i < 3; ++i) uses.push_back(triangle_use(t[i], t[(i + 1) % 3]));
+  }
+  for (const auto& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      uses.push_back(ring_use(ring[i], ring[(i + 1) % ring.size()]));
+    }
+  }
+  std::sort(uses.begin(), uses.end(),
+            [](const EdgeUse& a, const EdgeUse& b) { return a.edge < b.edge; });
+  for (std::size_t first = 0; first < uses.size();) {
+    EdgeUse sum{uses[first].edge};
+    for (; first < uses.size() && uses[first].edge == sum.edge; ++first) {
+      sum.triangles += uses[first].triangles;
+      sum.turns += uses[first].turns;
+      sum.rings += uses[first].rings;
+    }
+    if (!is_in_order(sum)) return false;
+  }
+  return true;
+}
+
+std::uint32_t unused_points(const std::vector<HoleTriangle>& triangles, std::uint32_t point_count) {
+  std::vector<bool> is_used(point_count);
+  for (const HoleTriangle& t : triangles) {
+    for (const std::uint32_t corner : t) is_used[corner] = true;
+  }
+  return static_cast<std::uint32_t>(std::count(is_used.begin(), is_used.end(), false));
+}
+
+}  // namespace stream_recon
