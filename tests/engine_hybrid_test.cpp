@@ -388,9 +388,9 @@ TEST_P(HybridOf, IsTheSameBytesForAnyWindowsThreadsAndMemory) {
 INSTANTIATE_TEST_SUITE_P(Clouds, HybridOf, testing::ValuesIn(shapes()),
                          [](const auto& test) { return test.param.name; });
 
-TEST(HybridOfBarePatches, ClosesLargeHolesByTheCrust) {
+TEST(HybridOfNoise, ClosesLargeHolesByTheCrust) {
   const TestFolder folder;
-  const Report report = reconstruct(options_for(folder, patchy(kPoints)));
+  const Report report = reconstruct(options_for(folder, noise(kPoints)));
   EXPECT_GT(report.hybrid->by_crust, 0U);
   EXPECT_GT(report.power->poles, 0U);
   // Only those at holes.

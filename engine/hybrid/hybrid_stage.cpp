@@ -22,6 +22,9 @@ constexpr std::uint64_t kBatchBytes = std::uint64_t{4} << 20;
 constexpr std::size_t kBatchHoles = 1 << 10;
 /// Of a hole while its patch is made.
 constexpr std::uint64_t kBytesACrustTriangle = 500;
+/// Rings of up to so many edges, without a sample inside, are not worth a crust: six triangles
+/// close the largest (measured: docs/decisions/0022).
+constexpr std::size_t kSmallRing = 8;
 /// Larger ones are no holes but shapes the gamma shape has nothing of; a fixed number, so that what
 /// becomes of them does not depend on the memory.
 constexpr std::size_t kMostFills = std::size_t{1} << 17;
@@ -58,7 +61,9 @@ class HybridStage {
     while (reader.next()) {
       if (result_.report.by_triangles % kBatchHoles == 0) context_.stop.check();
       const StoredHole stored = reader.read();
-      if (const auto patch = close_by_triangles(stored.hole)) {
+      std::optional<Patch> patch;
+      if (stored.hole.fills.size() + 2 <= kSmallRing) patch = close_by_triangles(stored.hole);
+      if (patch) {
         take(stored, *patch, out);
       } else if (stored.hole.fills.size() > kMostFills) {
         leave(stored, out);
