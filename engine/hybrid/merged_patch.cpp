@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -46,7 +47,7 @@ class RegionMerge {
         options_(options),
         sample_of_(std::move(sample_of)) {}
 
-  std::optional<std::vector<HoleTriangle>> run() {
+  std::vector<HoleTriangle> run() {
     list_vertices();
     attract();
     plant();
@@ -149,14 +150,14 @@ class RegionMerge {
 
 }  // namespace
 
-std::optional<std::vector<HoleTriangle>> merged_patch(const Hole& hole, const CrustMesh& crust,
-                                                      const std::vector<std::uint32_t>& region,
-                                                      std::vector<std::uint32_t> sample_of,
-                                                      const MergeOptions& options) {
+std::vector<HoleTriangle> merged_patch(const Hole& hole, const CrustMesh& crust,
+                                       const std::vector<std::uint32_t>& region,
+                                       std::vector<std::uint32_t> sample_of,
+                                       const MergeOptions& options) {
   return RegionMerge(hole, crust, region, std::move(sample_of), options).run();
 }
 
-std::optional<std::vector<HoleTriangle>> reduced_chain(const std::vector<HoleTriangle>& triangles) {
+std::vector<HoleTriangle> reduced_chain(const std::vector<HoleTriangle>& triangles) {
   std::vector<std::pair<HoleTriangle, int>> signed_triangles;
   for (HoleTriangle t : triangles) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
@@ -175,10 +176,8 @@ std::optional<std::vector<HoleTriangle>> reduced_chain(const std::vector<HoleTri
       sum += signed_triangles[end].second;
     }
     first = end;
-    if (sum == 0) continue;
-    if (sum != 1 && sum != -1) return std::nullopt;
     if (sum < 0) std::swap(t[1], t[2]);
-    chain.push_back(t);
+    chain.insert(chain.end(), static_cast<std::size_t>(std::abs(sum)), t);
   }
   return chain;
 }

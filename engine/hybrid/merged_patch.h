@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "engine/hybrid/crust_mesh.h"
@@ -25,14 +24,14 @@ struct MergeOptions {
 
 /// \param region triangles of the crust
 /// \param sample_of of each vertex of the crust, or kNoSample: of the region's those on walks
-/// \return triangles of points of the hole; nothing if one is there twice
-std::optional<std::vector<HoleTriangle>> merged_patch(const Hole& hole, const CrustMesh& crust,
-                                                      const std::vector<std::uint32_t>& region,
-                                                      std::vector<std::uint32_t> sample_of,
-                                                      const MergeOptions& options = {});
+/// \return triangles of points of the hole
+std::vector<HoleTriangle> merged_patch(const Hole& hole, const CrustMesh& crust,
+                                       const std::vector<std::uint32_t>& region,
+                                       std::vector<std::uint32_t> sample_of,
+                                       const MergeOptions& options = {});
 
 /// The triangles that are left when opposite ones cancel and those of two corners are dropped, in
-/// order, each from its lowest corner; nothing if one is there twice.
-std::optional<std::vector<HoleTriangle>> reduced_chain(const std::vector<HoleTriangle>& triangles);
+/// order, each from its lowest corner. One may be there twice.
+std::vector<HoleTriangle> reduced_chain(const std::vector<HoleTriangle>& triangles);
 
 }  // namespace stream_recon

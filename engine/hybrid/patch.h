@@ -1,11 +1,12 @@
 // A patch for a hole of the gamma shape: triangles between its samples, cut from the crust.
 //
-// Guarantees: the border of a patch is the hole's, edge by edge and in its direction; every other
-// edge has two triangles; no vertex is added. So it fits without cracks. The inner edges may still
-// be edges of facets outside the hole, which the hole does not tell. Same hole and crust, same
-// patch. Thread rule: pure. Memory: 200 bytes a triangle of the crust, four times that where it is
-// subdivided. Cost: n log n, about 2 us a triangle of the crust.
-// Source: thesis, 2007, chapter 6; docs/algorithms/hybrid.md
+// Where a walk fails, or a part of the patch would not fit, the fills at that place are kept and
+// the rest of the hole is tried again. Guarantees: the border of a patch is the hole's, edge by
+// edge and in its direction; every other edge has two triangles; no vertex is added. So it fits
+// without cracks. The inner edges may still be edges of facets outside the hole, which the hole
+// does not tell. Same hole and crust, same patch. Thread rule: pure. Memory: 200 bytes a triangle
+// of the crust, four times that where it is subdivided. Cost: n log n, about 2 us a triangle of the
+// crust. Source: thesis, 2007, chapter 6; docs/algorithms/hybrid.md
 #pragma once
 
 #include <cstddef>
@@ -33,13 +34,15 @@ struct Patch {
   PatchKind kind = PatchKind::kNone;
   std::vector<HoleTriangle> triangles;
   std::uint32_t unused_samples = 0;  ///< points of the hole that no triangle has
+  std::uint32_t kept_fills = 0;      ///< of a patch from the crust: fills it has where that failed
 };
 
 struct PatchOptions {
   RingWalkOptions walk;
   MergeOptions merge;
-  int most_subdivisions = 1;  ///< of a crust that has no room for all walks
-  double most_area = 4;       ///< of a patch, in areas of the fills: others went astray
+  double most_area = 4;    ///< of a patch, in areas of the fills: others went astray
+  int most_rounds = 12;    ///< of keeping fills where the crust is of no use
+  double most_kept = 0.5;  ///< share of the fills: with more it is no patch of the crust
 };
 
 Patch make_patch(const Hole& hole, const CrustPiece& crust, const PatchOptions& options = {});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace stream_recon {
 namespace {
@@ -28,26 +27,20 @@ bool is_in_order(const EdgeUse& sum) {
   return sum.turns == 0 && sum.triangles == (sum.rings > 0 ? sum.rings : 2);
 }
 
-bool is_sound(const HoleTriangle& t, std::uint32_t point_count) {
-  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] &&
-         *std::max_element(t.begin(), t.end()) < point_count;
-}
-
-bool has_twins(const std::vector<HoleTriangle>& triangles) {
+void add_twins(const std::vector<HoleTriangle>& triangles, std::vector<HoleEdge>& found) {
   std::vector<HoleTriangle> sorted = triangles;
   for (HoleTriangle& t : sorted) std::sort(t.begin(), t.end());
   std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const HoleTriangle& t = sorted[i];
+    if (t == sorted[i - 1]) found.insert(found.end(), {{t[0], t[1]}, {t[1], t[2]}, {t[0], t[2]}});
+  }
 }
 
-}  // namespace
-
-bool fits_rings(const std::vector<HoleTriangle>& triangles, std::uint32_t point_count,
-                const std::vector<std::vector<std::uint32_t>>& rings) {
-  if (has_twins(triangles)) return false;
+std::vector<EdgeUse> edge_uses(const std::vector<HoleTriangle>& triangles,
+                               const std::vector<std::vector<std::uint32_t>>& rings) {
   std::vector<EdgeUse> uses;
   for (const HoleTriangle& t : triangles) {
-    if (!is_sound(t, point_count)) return false;
     for (std::size_t i = 0; i < 3; ++i) uses.push_back(triangle_use(t[i], t[(i + 1) % 3]));
   }
   for (const auto& ring : rings) {
@@ -57,6 +50,16 @@ bool fits_rings(const std::vector<HoleTriangle>& triangles, std::uint32_t point_
   }
   std::sort(uses.begin(), uses.end(),
             [](const EdgeUse& a, const EdgeUse& b) { return a.edge < b.edge; });
+  return uses;
+}
+
+}  // namespace
+
+std::vector<HoleEdge> misfits(const std::vector<HoleTriangle>& triangles,
+                              const std::vector<std::vector<std::uint32_t>>& rings) {
+  std::vector<HoleEdge> found;
+  add_twins(triangles, found);
+  const std::vector<EdgeUse> uses = edge_uses(triangles, rings);
   for (std::size_t first = 0; first < uses.size();) {
     EdgeUse sum{uses[first].edge};
     for (; first < uses.size() && uses[first].edge == sum.edge; ++first) {
@@ -64,9 +67,9 @@ bool fits_rings(const std::vector<HoleTriangle>& triangles, std::uint32_t point_
       sum.turns += uses[first].turns;
       sum.rings += uses[first].rings;
     }
-    if (!is_in_order(sum)) return false;
+    if (!is_in_order(sum)) found.push_back(sum.edge);
   }
-  return true;
+  return found;
 }
 
 std::uint32_t unused_points(const std::vector<HoleTriangle>& triangles, std::uint32_t point_count) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "engine/hybrid/unique_places.h"
 #include "spatial/vector.h"
@@ -49,10 +50,10 @@ class RingWalker {
         came_by_(crust.points().size(), kNoSide),
         seen_in_(crust.points().size(), 0) {
     walks_.sample_of.assign(crust.points().size(), kNoSample);
-    walks_.is_walked.assign(crust.side_count(), false);
+    walks_.walked_for.assign(crust.side_count(), kNoEdge);
   }
 
-  bool find_anchors(const std::vector<std::vector<std::uint32_t>>& rings) {
+  void find_anchors(const std::vector<std::vector<std::uint32_t>>& rings) {
     std::vector<std::uint32_t> samples;
     for (const auto& ring : rings) samples.insert(samples.end(), ring.begin(), ring.end());
     std::sort(samples.begin(), samples.end());
@@ -65,32 +66,29 @@ class RingWalker {
     };
     const auto places = unique_places(points, crust_.points(), faces_same_way);
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (places[i] == kNoPlace) return false;
+      if (places[i] == kNoPlace) continue;
       anchor_[samples[i]] = places[i];
       walks_.sample_of[places[i]] = samples[i];
     }
-    return true;
   }
 
-  bool walk(const HoleEdge& edge) {
-    if (!search(edge)) return false;
-    std::vector<std::uint32_t> sides;
-    for (std::uint32_t v = anchor_[edge[1]]; v != anchor_[edge[0]];) {
-      sides.push_back(came_by_[v]);
-      v = crust_.from(came_by_[v]);
+  void walk(const HoleEdge& edge) {
+    const std::vector<std::uint32_t> sides = way(edge);
+    if (sides.empty()) {
+      walks_.failed.push_back(edge);
+      return;
     }
-    std::reverse(sides.begin(), sides.end());
+    const auto number = static_cast<std::uint32_t>(walks_.edges.size());
+    walks_.edges.push_back(edge);
     double whole = 0;
     for (const std::uint32_t side : sides) whole += side_length(side);
     double gone = 0;
     for (const std::uint32_t side : sides) {
-      if (walks_.is_walked[side] || walks_.is_walked[crust_.opposite(side)]) return false;
-      walks_.is_walked[side] = true;
+      walks_.walked_for[side] = number;
       gone += side_length(side);
       std::uint32_t& sample = walks_.sample_of[crust_.to(side)];
       if (sample == kNoSample) sample = edge[gone > whole / 2 ? 1 : 0];
     }
-    return true;
   }
 
   RingWalks&& walks() && { return std::move(walks_); }
@@ -98,6 +96,23 @@ class RingWalker {
  private:
   double side_length(std::uint32_t side) const {
     return length(minus(crust_.points()[crust_.to(side)], crust_.points()[crust_.from(side)]));
+  }
+
+  /// Sides from one end to the other; none if there is no way, or it is taken.
+  std::vector<std::uint32_t> way(const HoleEdge& edge) {
+    std::vector<std::uint32_t> sides;
+    if (anchor_[edge[0]] == kNoPlace || anchor_[edge[1]] == kNoPlace || !search(edge)) return sides;
+    for (std::uint32_t v = anchor_[edge[1]]; v != anchor_[edge[0]];) {
+      sides.push_back(came_by_[v]);
+      v = crust_.from(came_by_[v]);
+    }
+    std::reverse(sides.begin(), sides.end());
+    const bool is_taken = std::any_of(sides.begin(), sides.end(), [this](std::uint32_t side) {
+      return walks_.walked_for[side] != kNoEdge ||
+             walks_.walked_for[crust_.opposite(side)] != kNoEdge;
+    });
+    if (is_taken) sides.clear();
+    return sides;
   }
 
   /// The cheapest way (Dijkstra) over vertices that are on no walk.
@@ -149,14 +164,13 @@ class RingWalker {
 
 }  // namespace
 
-std::optional<RingWalks> walk_rings(const Hole& hole,
-                                    const std::vector<std::vector<std::uint32_t>>& rings,
-                                    const CrustMesh& crust, const RingWalkOptions& options) {
+RingWalks walk_rings(const Hole& hole, const std::vector<std::vector<std::uint32_t>>& rings,
+                     const CrustMesh& crust, const RingWalkOptions& options) {
   RingWalker walker(hole, crust, options);
-  if (!walker.find_anchors(rings)) return std::nullopt;
+  walker.find_anchors(rings);
   for (const auto& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (!walker.walk({ring[i], ring[(i + 1) % ring.size()]})) return std::nullopt;
+      walker.walk({ring[i], ring[(i + 1) % ring.size()]});
     }
   }
   return std::move(walker).walks();
