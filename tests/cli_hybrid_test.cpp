@@ -88,9 +88,11 @@ TEST(Hybrid, RefusesWhatItHasNotInOneLine) {
 TEST(Hybrid, ComesWithItsMedialAxis) {
   const CommandFolder folder;
   ASSERT_EQ(folder.run("make-cloud folds -n 3000 -o cloud.ply").exit_code, 0);
-  const Outcome both =
-      folder.run("stream-recon cloud.ply --surface hybrid -o out.ply --medial-axis axis.pvtp");
+  const Outcome both = folder.run(
+      "stream-recon cloud.ply --surface hybrid -o out.ply --medial-axis axis.pvtp --html "
+      "page.html");
   ASSERT_EQ(both.exit_code, 0) << both.error;
+  EXPECT_THAT(folder.bytes("page.html"), HasSubstr("<h2>Holes</h2>"));
   EXPECT_FALSE(list_folder(folder.path("axis")).empty());
   const std::string bytes = folder.bytes("out.ply");
   ASSERT_EQ(folder.run("stream-recon cloud.ply --surface hybrid -o alone.ply").exit_code, 0);

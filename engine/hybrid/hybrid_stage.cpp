@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/hybrid/hole_crust.h"
@@ -52,7 +51,7 @@ class HybridStage {
     out.finish();
     context_.scratch.remove(kHoleFills);
     context_.scratch.remove(kHolePoints);
-    return std::move(result_);
+    return result_;
   }
 
  private:

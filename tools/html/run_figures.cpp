@@ -95,6 +95,20 @@ std::string shape_figures(const Report& report) {
       .section("Power shape");
 }
 
+/// Empty but for the hybrid.
+std::string hybrid_figures(const Report& report) {
+  if (!report.hybrid) return "";
+  const HybridReport& hybrid = *report.hybrid;
+  return Figures()
+      .add("holes of the gamma shape", count(hybrid.holes))
+      .add("closed by triangles", count(hybrid.by_triangles))
+      .add("closed by the crust", count(hybrid.by_crust))
+      .add("filled by the solid", count(hybrid.by_solid))
+      .add("left open", count(hybrid.left_out))
+      .add("triangles of patches", count(hybrid.patch_triangles))
+      .section("Holes");
+}
+
 std::string window_figures(const Report& report) {
   const auto& windows = report.windows;
   return Figures()
@@ -132,7 +146,7 @@ std::string run_figures(const Report& report) {
   }
   return pair(surface_figures(report), input_figures(report)) +
          pair(window_figures(report), resource_figures(report)) + pole_figures(report) +
-         shape_figures(report);
+         shape_figures(report) + hybrid_figures(report);
 }
 
 }  // namespace stream_recon::html
