@@ -131,12 +131,18 @@ TEST(Patch, ACrustThatIsNotThereGivesNoneOrTriangles) {
   expect_fits(patch, four);
 }
 
-TEST(Patch, ACrustWithAGapInTheRegionGivesNone) {
+TEST(Patch, AtAGapOfTheCrustFillsAreKept) {
   const SphereCase c = sphere_case(6, 0.3);
   const Surface torn =
       shapes::part(c.crust, [](const Point3& p) { return std::hypot(p.x, p.y) > 0.1; });
   ASSERT_LT(torn.triangles.size(), c.crust.triangles.size());
-  EXPECT_EQ(make_patch(c.hole, torn).kind, PatchKind::kNone);
+  const Patch patch = make_patch(c.hole, torn);
+  EXPECT_EQ(patch.kind, PatchKind::kCrust);
+  EXPECT_GT(patch.kept_fills, 0U);
+  EXPECT_LT(patch.kept_fills, c.hole.fills.size() / 3);
+  expect_fits(patch, c.hole);
+  const Surface rim = shapes::part(c.crust, [](const Point3& p) { return p.z < 0.6; });
+  EXPECT_EQ(make_patch(c.hole, rim).kind, PatchKind::kNone);
 }
 
 TEST(Patch, ACrustTurnedInsideOutGivesNone) {

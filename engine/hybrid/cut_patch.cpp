@@ -9,6 +9,7 @@
 #include "engine/hybrid/hole_part.h"
 #include "engine/hybrid/hole_rings.h"
 #include "engine/hybrid/patch_check.h"
+#include "spatial/neighbors.h"
 #include "spatial/vector.h"
 
 namespace stream_recon {
@@ -60,6 +61,7 @@ class PatchCutter {
     if (!trouble_.empty()) return false;
     const EnclosedRegion region = enclosed_region(crust_, walks.walked_for);
     for (const std::uint32_t edge : region.astray) trouble_.push_back(in_whole(walks.edges[edge]));
+    if (!region.gaps.empty()) add_gaps(region.gaps);
     if (!trouble_.empty()) return false;
     triangles_ = merged_patch(part.hole, crust_, region.triangles, std::move(walks.sample_of),
                               options_.merge);
@@ -70,8 +72,17 @@ class PatchCutter {
       if (is_kept_[i]) triangles_.push_back(hole_.fills[i]);
     }
     triangles_ = reduced_chain(triangles_);
-    trouble_ = misfits(triangles_, rings_);
+    trouble_ = misfits(triangles_, hole_, rings_);
     return trouble_.empty();
+  }
+
+  /// The samples beside them.
+  void add_gaps(const std::vector<Point3>& gaps) {
+    const Neighbors samples(hole_.points);
+    for (const Point3& gap : gaps) {
+      const std::uint32_t sample = samples.nearest(gap, 1).front().index;
+      trouble_.push_back({sample, sample});
+    }
   }
 
   std::optional<Patch> patch() {

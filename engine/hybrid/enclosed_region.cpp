@@ -11,7 +11,7 @@ namespace {
 struct Part {
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t> left_of, right_of;  ///< edges of the rings
-  bool is_open = false;                          ///< reaches the border of the piece
+  std::vector<std::uint32_t> ends;               ///< sides at the border of the piece
 };
 
 class CrustParts {
@@ -37,7 +37,7 @@ class CrustParts {
     if (walked_for_[side] != kNoEdge) {
       part.left_of.push_back(walked_for_[side]);
     } else if (beyond == kNoSide) {
-      part.is_open = true;
+      part.ends.push_back(side);
     } else if (walked_for_[beyond] != kNoEdge) {
       part.right_of.push_back(walked_for_[beyond]);
     } else if (!is_done_[beyond / 3]) {
@@ -64,14 +64,13 @@ EnclosedRegion enclosed_region(const CrustMesh& crust,
   for (std::uint32_t side = 0; side < crust.side_count(); ++side) {
     if (walked_for[side] == kNoEdge || parts.is_done(side / 3)) continue;
     const Part part = parts.part_at(side / 3);
-    const bool is_enclosed = part.right_of.empty() && !part.is_open;
-    const bool is_outside = part.is_open || part.left_of.size() <= part.right_of.size();
+    const bool is_outside = part.left_of.size() <= part.right_of.size();
     const auto& astray = is_outside ? part.left_of : part.right_of;
-    if (is_enclosed) {
-      region.triangles.insert(region.triangles.end(), part.triangles.begin(), part.triangles.end());
-    } else {
-      region.astray.insert(region.astray.end(), astray.begin(), astray.end());
-    }
+    region.astray.insert(region.astray.end(), astray.begin(), astray.end());
+    if (is_outside) continue;
+    for (const std::uint32_t end : part.ends)
+      region.gaps.push_back(crust.points()[crust.from(end)]);
+    region.triangles.insert(region.triangles.end(), part.triangles.begin(), part.triangles.end());
   }
   return region;
 }

@@ -41,7 +41,7 @@ struct PatchOptions {
   RingWalkOptions walk;
   MergeOptions merge;
   double most_area = 4;    ///< of a patch, in areas of the fills: others went astray
-  int most_rounds = 12;    ///< of keeping fills where the crust is of no use
+  int most_rounds = 24;    ///< of keeping fills where the crust is of no use
   double most_kept = 0.5;  ///< share of the fills: with more it is no patch of the crust
 };
 
