@@ -60,8 +60,7 @@ class PatchCutter {
     for (const HoleEdge& edge : walks.failed) trouble_.push_back(in_whole(edge));
     if (!trouble_.empty()) return false;
     const EnclosedRegion region = enclosed_region(crust_, walks.walked_for);
-    for (const std::uint32_t edge : region.astray) trouble_.push_back(in_whole(walks.edges[edge]));
-    if (!region.gaps.empty()) add_gaps(region.gaps);
+    if (!region.leaks.empty()) add_leaks(region.leaks, part);
     if (!trouble_.empty()) return false;
     triangles_ = merged_patch(part.hole, crust_, region.triangles, std::move(walks.sample_of),
                               options_.merge);
@@ -76,12 +75,14 @@ class PatchCutter {
     return trouble_.empty();
   }
 
-  /// The samples beside them.
-  void add_gaps(const std::vector<Point3>& gaps) {
-    const Neighbors samples(hole_.points);
-    for (const Point3& gap : gaps) {
-      const std::uint32_t sample = samples.nearest(gap, 1).front().index;
-      trouble_.push_back({sample, sample});
+  /// The samples beside them that the part still has.
+  void add_leaks(std::vector<std::uint32_t> leaks, const HolePart& part) {
+    std::sort(leaks.begin(), leaks.end());
+    leaks.erase(std::unique(leaks.begin(), leaks.end()), leaks.end());
+    const Neighbors samples(part.hole.points);
+    for (const std::uint32_t leak : leaks) {
+      const std::uint32_t sample = samples.nearest(crust_.points()[leak], 1).front().index;
+      trouble_.push_back({part.numbers[sample], part.numbers[sample]});
     }
   }
 
