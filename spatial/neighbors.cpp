@@ -38,6 +38,7 @@ Neighbors::Neighbors(std::span<const Point3> points)
 
 Neighbors::~Neighbors() = default;
 Neighbors::Neighbors(Neighbors&&) noexcept = default;
+Neighbors& Neighbors::operator=(Neighbors&&) noexcept = default;
 
 std::vector<Neighbor> Neighbors::nearest(const Point3& place, std::size_t count) const {
   count = std::min(count, points_.size());

@@ -33,7 +33,9 @@ class Neighbors {
   explicit Neighbors(std::span<const Point3> points);
   ~Neighbors();
   Neighbors(Neighbors&&) noexcept;
-  Neighbors& operator=(Neighbors&&) = delete;
+  Neighbors& operator=(Neighbors&&) noexcept;
+
+  std::size_t count() const { return points_.size(); }
 
   /// \return min(count, number of points) of them
   std::vector<Neighbor> nearest(const Point3& place, std::size_t count) const;

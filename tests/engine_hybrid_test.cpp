@@ -251,12 +251,12 @@ Cloud patchy(std::size_t count) {
   return cloud;
 }
 
-/// With samples off the surface.
+/// With samples off the surface, on one side of it.
 Cloud noise(std::size_t count) {
   std::mt19937_64 random(47);
   std::normal_distribution<double> off(1, 0.02);
   Cloud cloud;
-  for (const Point3& p : bumpy(count, 0.2)) cloud.push_back(scaled(p, off(random)));
+  for (const Point3& p : bumpy(count, 0.2)) cloud.push_back(p.x > 0.5 ? scaled(p, off(random)) : p);
   return cloud;
 }
 

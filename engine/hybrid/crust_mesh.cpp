@@ -18,6 +18,7 @@ CrustMesh::CrustMesh(const CrustPiece& piece) {
   add_triangles(piece);
   pair_up();
   list_sides();
+  near_.emplace(points_);
 }
 
 void CrustMesh::add_triangles(const CrustPiece& piece) {

@@ -9,6 +9,7 @@
 #include "engine/hybrid/hole_part.h"
 #include "engine/hybrid/hole_rings.h"
 #include "engine/hybrid/patch_check.h"
+#include "spatial/neighbors.h"
 #include "spatial/vector.h"
 
 namespace stream_recon {
@@ -59,7 +60,7 @@ class PatchCutter {
     for (const HoleEdge& edge : walks.failed) trouble_.push_back(in_whole(edge));
     if (!trouble_.empty()) return false;
     const EnclosedRegion region = enclosed_region(crust_, walks.walked_for);
-    for (const std::uint32_t edge : region.astray) trouble_.push_back(in_whole(walks.edges[edge]));
+    if (!region.leaks.empty()) add_leaks(region.leaks, part);
     if (!trouble_.empty()) return false;
     triangles_ = merged_patch(part.hole, crust_, region.triangles, std::move(walks.sample_of),
                               options_.merge);
@@ -70,8 +71,19 @@ class PatchCutter {
       if (is_kept_[i]) triangles_.push_back(hole_.fills[i]);
     }
     triangles_ = reduced_chain(triangles_);
-    trouble_ = misfits(triangles_, rings_);
+    trouble_ = misfits(triangles_, hole_, rings_);
     return trouble_.empty();
+  }
+
+  /// The samples beside them that the part still has.
+  void add_leaks(std::vector<std::uint32_t> leaks, const HolePart& part) {
+    std::sort(leaks.begin(), leaks.end());
+    leaks.erase(std::unique(leaks.begin(), leaks.end()), leaks.end());
+    const Neighbors samples(part.hole.points);
+    for (const std::uint32_t leak : leaks) {
+      const std::uint32_t sample = samples.nearest(crust_.points()[leak], 1).front().index;
+      trouble_.push_back({part.numbers[sample], part.numbers[sample]});
+    }
   }
 
   std::optional<Patch> patch() {

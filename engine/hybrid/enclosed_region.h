@@ -1,10 +1,12 @@
 // The triangles of the crust that walks enclose, at their left.
 //
 // The walks cut the crust into parts. A part is enclosed if it lies at the left of all walks beside
-// it and does not reach the border of the crust's piece; one that lies at the right of all is
-// outside; of any other the walks on its rarer side went astray. Guarantees: without astray edges,
-// the region as a chain has the walks as its boundary, exactly. Thread rule: pure. Memory: 8 bytes
-// a triangle. Cost: linear.
+// it and does not reach the border of the crust's piece. If a part lies at the left of some but
+// also at the right of others or at the border, inside and outside leak into each other: by a
+// tunnel or a gap of the crust, or by a small ring that the walks turn over. Both then spread
+// through the part, the one with less to start from at a third of the speed, and where they meet is
+// the leak. Guarantees: without leaks the region as a chain has the walks as its boundary, exactly.
+// Thread rule: pure. Memory: 9 bytes a triangle. Cost: linear.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +18,7 @@ namespace stream_recon {
 
 struct EnclosedRegion {
   std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t> astray;  ///< edges of the rings, some more than once
+  std::vector<std::uint32_t> leaks;  ///< vertices of the crust, some more than once
 };
 
 /// \param walked_for of each side: the edge of the rings, or kNoEdge

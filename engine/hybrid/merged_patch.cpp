@@ -99,7 +99,7 @@ class RegionMerge {
       samples.push_back(sample);
       points.push_back(hole_.points[sample]);
     }
-    const auto seeds = unique_places(points, places_, [](auto, auto) { return true; });
+    const auto seeds = unique_places(points, Neighbors(places_), [](auto, auto) { return true; });
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (seeds[i] != kNoPlace) sample_of_[free_[seeds[i]]] = samples[i];
     }

@@ -43,7 +43,7 @@ std::optional<Patch> close_ring(const Hole& hole, const Rings& rings) {
     triangles.push_back({ring[t[0]], ring[t[1]], ring[t[2]]});
   }
   // An edge twice, of a ring that passes a vertex twice.
-  if (!misfits(triangles, rings).empty()) return std::nullopt;
+  if (!misfits(triangles, hole, rings).empty()) return std::nullopt;
   return Patch{PatchKind::kTriangles, std::move(triangles)};
 }
 

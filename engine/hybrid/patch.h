@@ -2,11 +2,12 @@
 //
 // Where a walk fails, or a part of the patch would not fit, the fills at that place are kept and
 // the rest of the hole is tried again. Guarantees: the border of a patch is the hole's, edge by
-// edge and in its direction; every other edge has two triangles; no vertex is added. So it fits
-// without cracks. The inner edges may still be edges of facets outside the hole, which the hole
-// does not tell. Same hole and crust, same patch. Thread rule: pure. Memory: 200 bytes a triangle
-// of the crust, four times that where it is subdivided. Cost: n log n, about 2 us a triangle of the
-// crust. Source: thesis, 2007, chapter 6; docs/algorithms/hybrid.md
+// edge and in its direction; every other edge has two triangles, or no more than the fills have
+// there; no vertex is added. So it fits without cracks. The inner edges may still be edges of
+// facets outside the hole, which the hole does not tell. Same hole and crust, same patch. Thread
+// rule: pure. Memory: 200 bytes a triangle of the crust, four times that where it is subdivided.
+// Cost of a round: n log n, about 1 us a triangle of the crust; most holes need one. Source:
+// thesis, 2007, chapter 6; docs/algorithms/hybrid.md
 #pragma once
 
 #include <cstddef>
@@ -41,7 +42,7 @@ struct PatchOptions {
   RingWalkOptions walk;
   MergeOptions merge;
   double most_area = 4;    ///< of a patch, in areas of the fills: others went astray
-  int most_rounds = 12;    ///< of keeping fills where the crust is of no use
+  int most_rounds = 40;    ///< of keeping fills where the crust is of no use
   double most_kept = 0.5;  ///< share of the fills: with more it is no patch of the crust
 };
 

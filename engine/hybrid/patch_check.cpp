@@ -12,19 +12,25 @@ struct EdgeUse {
   int triangles = 0;
   int turns = 0;  ///< triangles up less triangles down, less the same of the rings
   int rings = 0;
+  int fills = 0;
 };
 
+EdgeUse fill_use(std::uint32_t from, std::uint32_t to) {
+  return {{std::min(from, to), std::max(from, to)}, 0, 0, 0, 1};
+}
+
 EdgeUse triangle_use(std::uint32_t from, std::uint32_t to) {
-  return {{std::min(from, to), std::max(from, to)}, 1, from < to ? 1 : -1, 0};
+  return {{std::min(from, to), std::max(from, to)}, 1, from < to ? 1 : -1, 0, 0};
 }
 
 EdgeUse ring_use(std::uint32_t from, std::uint32_t to) {
-  return {{std::min(from, to), std::max(from, to)}, 0, from < to ? -1 : 1, 1};
+  return {{std::min(from, to), std::max(from, to)}, 0, from < to ? -1 : 1, 1, 0};
 }
 
 /// The uses of one edge, added up: as a manifold, the border of which is the ring.
 bool is_in_order(const EdgeUse& sum) {
-  return sum.turns == 0 && sum.triangles == (sum.rings > 0 ? sum.rings : 2);
+  const int most = std::max(sum.rings > 0 ? sum.rings : 2, sum.fills);
+  return sum.turns == 0 && sum.triangles <= most;
 }
 
 void add_twins(const std::vector<HoleTriangle>& triangles, std::vector<HoleEdge>& found) {
@@ -37,11 +43,14 @@ void add_twins(const std::vector<HoleTriangle>& triangles, std::vector<HoleEdge>
   }
 }
 
-std::vector<EdgeUse> edge_uses(const std::vector<HoleTriangle>& triangles,
+std::vector<EdgeUse> edge_uses(const std::vector<HoleTriangle>& triangles, const Hole& hole,
                                const std::vector<std::vector<std::uint32_t>>& rings) {
   std::vector<EdgeUse> uses;
   for (const HoleTriangle& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) uses.push_back(triangle_use(t[i], t[(i + 1) % 3]));
+  }
+  for (const HoleTriangle& t : hole.fills) {
+    for (std::size_t i = 0; i < 3; ++i) uses.push_back(fill_use(t[i], t[(i + 1) % 3]));
   }
   for (const auto& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -55,17 +64,18 @@ std::vector<EdgeUse> edge_uses(const std::vector<HoleTriangle>& triangles,
 
 }  // namespace
 
-std::vector<HoleEdge> misfits(const std::vector<HoleTriangle>& triangles,
+std::vector<HoleEdge> misfits(const std::vector<HoleTriangle>& triangles, const Hole& hole,
                               const std::vector<std::vector<std::uint32_t>>& rings) {
   std::vector<HoleEdge> found;
   add_twins(triangles, found);
-  const std::vector<EdgeUse> uses = edge_uses(triangles, rings);
+  const std::vector<EdgeUse> uses = edge_uses(triangles, hole, rings);
   for (std::size_t first = 0; first < uses.size();) {
     EdgeUse sum{uses[first].edge};
     for (; first < uses.size() && uses[first].edge == sum.edge; ++first) {
       sum.triangles += uses[first].triangles;
       sum.turns += uses[first].turns;
       sum.rings += uses[first].rings;
+      sum.fills += uses[first].fills;
     }
     if (!is_in_order(sum)) found.push_back(sum.edge);
   }

@@ -64,7 +64,7 @@ class RingWalker {
     const auto faces_same_way = [&](std::uint32_t sample, std::uint32_t vertex) {
       return dot(normals[samples[sample]], crust_.normal(vertex)) >= 0;
     };
-    const auto places = unique_places(points, crust_.points(), faces_same_way);
+    const auto places = unique_places(points, crust_.near(), faces_same_way);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (places[i] == kNoPlace) continue;
       anchor_[samples[i]] = places[i];

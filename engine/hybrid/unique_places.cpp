@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "spatial/neighbors.h"
-
 namespace stream_recon {
 namespace {
 
@@ -21,19 +19,18 @@ struct Pair {
 
 }  // namespace
 
-std::vector<std::uint32_t> unique_places(std::span<const Point3> samples,
-                                         std::span<const Point3> places, const MayBePlace& may_be,
+std::vector<std::uint32_t> unique_places(std::span<const Point3> samples, const Neighbors& places,
+                                         const MayBePlace& may_be,
                                          const UniquePlacesOptions& options) {
-  const Neighbors neighbors(places);
   std::vector<Pair> pairs;
   for (std::uint32_t sample = 0; sample < samples.size(); ++sample) {
-    for (const Neighbor& near : neighbors.nearest(samples[sample], options.nearest)) {
+    for (const Neighbor& near : places.nearest(samples[sample], options.nearest)) {
       if (may_be(sample, near.index)) pairs.push_back({near.squared_distance, sample, near.index});
     }
   }
   std::sort(pairs.begin(), pairs.end());
   std::vector<std::uint32_t> result(samples.size(), kNoPlace);
-  std::vector<bool> is_taken(places.size());
+  std::vector<bool> is_taken(places.count());
   for (const Pair& pair : pairs) {
     if (result[pair.sample] != kNoPlace || is_taken[pair.place]) continue;
     result[pair.sample] = pair.place;

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "spatial/neighbors.h"
 #include "spatial/point.h"
 
 namespace stream_recon {
@@ -24,8 +25,8 @@ struct UniquePlacesOptions {
 };
 
 /// \return a place of each sample, or kNoPlace
-std::vector<std::uint32_t> unique_places(std::span<const Point3> samples,
-                                         std::span<const Point3> places, const MayBePlace& may_be,
+std::vector<std::uint32_t> unique_places(std::span<const Point3> samples, const Neighbors& places,
+                                         const MayBePlace& may_be,
                                          const UniquePlacesOptions& options = {});
 
 }  // namespace stream_recon
