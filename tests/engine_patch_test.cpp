@@ -225,6 +225,35 @@ TEST(Patch, SoupGivesNoCrack) {
   }
 }
 
+TEST(Patch, ATunnelOfTheCrustCostsFillsAroundItOnly) {
+  // From the region inside the hole to the crust outside, through the ball.
+  SphereCase c = sphere_case(6, 0.3);
+  Random random(11);
+  c.crust = shapes::sphere(5, 0.2, random);
+  const auto mouth = [&](double sign) {
+    std::size_t best = 0;
+    for (std::size_t t = 0; t < c.crust.triangles.size(); ++t) {
+      const auto z = [&](std::size_t i) {
+        return sign * shapes::middle(c.crust, c.crust.triangles[i]).z;
+      };
+      if (z(t) > z(best)) best = t;
+    }
+    return c.crust.triangles[best];
+  };
+  const auto a = mouth(1), b = mouth(-1);
+  std::erase(c.crust.triangles, a);
+  std::erase(c.crust.triangles, b);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    c.crust.triangles.push_back({a[i], a[j], b[2 - i]});
+    c.crust.triangles.push_back({a[j], b[2 - j], b[2 - i]});
+  }
+  const Patch patch = make_patch(c.hole, c.crust);
+  EXPECT_EQ(patch.kind, PatchKind::kCrust);
+  EXPECT_GT(patch.kept_fills, 0U);
+  expect_fits(patch, c.hole);
+}
+
 TEST(CloseByTriangles, RefusesSamplesInsideSeveralRingsAndLongOnes) {
   const Hole star{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}},
                   {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}};

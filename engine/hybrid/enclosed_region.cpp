@@ -1,6 +1,8 @@
 #include "engine/hybrid/enclosed_region.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "engine/hybrid/ring_walk.h"
@@ -8,10 +10,7 @@
 namespace stream_recon {
 namespace {
 
-/// Of the side with less to start from, which is the likelier to be wrong.
-constexpr int kSlowness = 3;
-
-enum class Front : std::uint8_t { kNone, kInside, kOutside };
+constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
 
 /// Triangles joined by sides without a walk; those at the left of walks, and those at the right or
 /// at the border of the piece.
@@ -26,7 +25,8 @@ class CrustParts {
       : crust_(crust),
         walked_for_(walked_for),
         is_done_(crust.triangles().size()),
-        fronts_(crust.triangles().size(), Front::kNone) {}
+        from_inside_(crust.triangles().size(), kFar),
+        from_outside_(crust.triangles().size(), kFar) {}
 
   EnclosedRegion region() {
     EnclosedRegion region;
@@ -73,52 +73,74 @@ class CrustParts {
     return beyond == kNoSide || walked_for_[beyond] != kNoEdge;
   }
 
+  /// Of all levels between inside and outside the one with the fewest sides across.
   void add_leaks(const Part& part, std::vector<std::uint32_t>& leaks) {
-    std::vector<std::uint32_t> few = part.inside, many = part.outside;
-    Front few_front = Front::kInside, many_front = Front::kOutside;
-    if (few.size() > many.size()) {
-      std::swap(few, many);
-      std::swap(few_front, many_front);
+    spread(part.inside, from_inside_);
+    spread(part.outside, from_outside_);
+    std::vector<std::pair<double, int>> steps;  // up where sides begin to cross a level
+    for_sides_across(part, [&](std::uint32_t, double low, double high) {
+      steps.emplace_back(low, 1);
+      steps.emplace_back(high, -1);
+    });
+    std::sort(steps.begin(), steps.end());
+    double level = 0.5;
+    int across = 0;
+    int fewest = std::numeric_limits<int>::max();
+    for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+      across += steps[i].second;
+      if (!(steps[i].first < steps[i + 1].first) || across >= fewest) continue;
+      fewest = across;
+      level = (steps[i].first + steps[i + 1].first) / 2;
     }
-    for (const std::uint32_t t : few) fronts_[t] = few_front;
-    for (const std::uint32_t t : many) fronts_[t] = many_front;
-    while (!few.empty() || !many.empty()) {
-      for (int step = 0; step < kSlowness; ++step) many = spread(many, many_front, leaks);
-      few = spread(few, few_front, leaks);
+    for_sides_across(part, [&](std::uint32_t side, double low, double high) {
+      if (low < level && level < high) leaks.push_back(crust_.from(side));
+    });
+    // Inside and outside at once.
+    for (const std::uint32_t t : part.inside) {
+      if (from_outside_[t] == 0) leaks.push_back(crust_.from(3 * t));
     }
   }
 
-  /// \return triangles reached; where the other front is beyond, the ends of the side are leaks
-  std::vector<std::uint32_t> spread(const std::vector<std::uint32_t>& from, Front front,
-                                    std::vector<std::uint32_t>& leaks) {
-    std::vector<std::uint32_t> reached;
-    for (const std::uint32_t t : from) {
+  /// 0 inside, 1 outside.
+  double level_of(std::uint32_t triangle) const {
+    const double inside = from_inside_[triangle];
+    const double all = inside + from_outside_[triangle];
+    return all > 0 ? inside / all : 0.5;
+  }
+
+  template <class Visit>
+  void for_sides_across(const Part& part, const Visit& visit) const {
+    for (const std::uint32_t t : part.triangles) {
+      const double here = level_of(t);
       for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
-        if (walked_for_[side] != kNoEdge) {
-          // A triangle between both sides of the walks is the outside's.
-          if (fronts_[t] == Front::kOutside) leaks.push_back(crust_.from(side));
-          continue;
-        }
-        if (is_end(side)) {
-          if (fronts_[t] == Front::kInside) leaks.push_back(crust_.from(side));
-          continue;
-        }
-        Front& beyond = fronts_[crust_.opposite(side) / 3];
-        if (beyond == Front::kNone) {
-          beyond = front;
-          reached.push_back(crust_.opposite(side) / 3);
-        } else if (beyond != fronts_[t]) {
-          leaks.push_back(crust_.from(side));
-        }
+        if (walked_for_[side] != kNoEdge || is_end(side)) continue;
+        const double there = level_of(crust_.opposite(side) / 3);
+        if (here < there) visit(side, here, there);
       }
     }
-    return reached;
+  }
+
+  /// Steps from the triangles, over the part.
+  void spread(const std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& steps) const {
+    std::vector<std::uint32_t> reached = from;
+    for (const std::uint32_t t : from) steps[t] = 0;
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      const std::uint32_t t = reached[i];
+      for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side) {
+        if (walked_for_[side] != kNoEdge || is_end(side)) continue;
+        const std::uint32_t beyond = crust_.opposite(side) / 3;
+        if (steps[beyond] != kFar) continue;
+        steps[beyond] = steps[t] + 1;
+        reached.push_back(beyond);
+      }
+    }
   }
 
   const CrustMesh& crust_;
   const std::vector<std::uint32_t>& walked_for_;
-  std::vector<bool> is_done_;  ///< of triangles
-  std::vector<Front> fronts_;  ///< of triangles
+  std::vector<bool> is_done_;  ///< of triangles, like the next two
+  std::vector<std::uint32_t> from_inside_;
+  std::vector<std::uint32_t> from_outside_;
 };
 
 }  // namespace

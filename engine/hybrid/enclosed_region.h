@@ -3,10 +3,10 @@
 // The walks cut the crust into parts. A part is enclosed if it lies at the left of all walks beside
 // it and does not reach the border of the crust's piece. If a part lies at the left of some but
 // also at the right of others or at the border, inside and outside leak into each other: by a
-// tunnel or a gap of the crust, or by a small ring that the walks turn over. Both then spread
-// through the part, the one with less to start from at a third of the speed, and where they meet is
-// the leak. Guarantees: without leaks the region as a chain has the walks as its boundary, exactly.
-// Thread rule: pure. Memory: 9 bytes a triangle. Cost: linear.
+// tunnel or a gap of the crust, or by a small ring that the walks turn over. The share of the way
+// from inside to outside at which the fewest sides lie across is the leak. Guarantees: without
+// leaks the region as a chain has the walks as its boundary, exactly. Thread rule: pure. Memory: 17
+// bytes a triangle. Cost: linear; n log n for leaks.
 #pragma once
 
 #include <cstdint>
