@@ -22,7 +22,7 @@ constexpr std::size_t kBatchHoles = 1 << 10;
 /// Of a hole while its patch is made.
 constexpr std::uint64_t kBytesACrustTriangle = 500;
 /// Rings of up to so many edges, without a sample inside, are not worth a crust: six triangles
-/// close the largest (measured: docs/decisions/0022).
+/// close the largest (measured: docs/decisions/0022-holes-of-the-hybrid.md).
 constexpr std::size_t kSmallRing = 8;
 /// Larger ones are no holes but shapes the gamma shape has nothing of; a fixed number, so that what
 /// becomes of them does not depend on the memory.
