@@ -100,7 +100,7 @@ CrustPiece CrustMesh::subdivided() const {
     if (opposite_[side] != kNoSide) middles[opposite_[side]] = middles[side];
     finer.points.push_back(scaled(plus(points_[from(side)], points_[to(side)]), 0.5));
   }
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const auto& c = triangles_[t];
     const std::array<std::uint32_t, 3> m{middles[3 * t], middles[3 * t + 1], middles[3 * t + 2]};
     finer.triangles.push_back({c[0], m[0], m[2]});

@@ -59,6 +59,7 @@ class RingWalker {
     std::sort(samples.begin(), samples.end());
     samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
     std::vector<Point3> points;
+    points.reserve(samples.size());
     for (const std::uint32_t sample : samples) points.push_back(hole_.points[sample]);
     const std::vector<Point3> normals = fill_normals(hole_);
     const auto faces_same_way = [&](std::uint32_t sample, std::uint32_t vertex) {
