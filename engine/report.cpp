@@ -74,6 +74,7 @@ Json hybrid_json(const HybridReport& hybrid) {
           {"by_solid", hybrid.by_solid},
           {"left_out", hybrid.left_out},
           {"patch_triangles", hybrid.patch_triangles},
+          {"kept_fills", hybrid.kept_fills},
           {"added_vertices", hybrid.added_vertices},
           {"unused_samples", hybrid.unused_samples}};
 }

@@ -75,6 +75,7 @@ struct HybridReport {
   std::uint64_t by_solid = 0;      ///< no patch: filled by the solid's triangles
   std::uint64_t left_out = 0;      ///< no patch: left open
   std::uint64_t patch_triangles = 0;
+  std::uint64_t kept_fills = 0;  ///< of these: the solid's, where the crust was of no use
   std::uint64_t added_vertices = 0;
   std::uint64_t unused_samples = 0;  ///< samples within patches, without a triangle of them
 };

@@ -54,7 +54,7 @@ for program in "${programs[@]}"; do
 done
 
 expect "auto ply xyz f32 f64 vtk vtp pts" stream-recon --input-format ''
-expect "gamma alpha crust solid none" stream-recon in.ply --surface ''
+expect "gamma alpha crust hybrid solid none" stream-recon in.ply --surface ''
 expect "gamma" stream-recon in.ply --surface g
 expect "auto bar json none" stream-recon --progress ''
 expect "json" stream-recon --progress = j

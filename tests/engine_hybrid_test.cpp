@@ -130,7 +130,7 @@ TEST(HoleSearch, JoinsFillsAtEdgesAsGoingRoundDoesInAnyMemory) {
       EXPECT_EQ(counts.fills, fills.size());
 
       std::set<std::set<Ranks>> found;
-      HoleReader reader(stage.scratch, {});
+      HoleReader reader(stage.scratch, false);
       std::optional<Ranks> last;
       for (std::uint32_t number = 0; reader.next(); ++number) {
         const StoredHole hole = reader.read();
@@ -164,7 +164,7 @@ TEST(HoleSearch, OfNoFillsFindsNoHole) {
   StageFixture stage;
   store_points(stage, 5);
   EXPECT_EQ(find_holes(stage.context).holes, 0U);
-  HoleReader reader(stage.scratch, {});
+  HoleReader reader(stage.scratch, false);
   EXPECT_FALSE(reader.next().has_value());
 }
 

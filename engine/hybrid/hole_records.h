@@ -1,7 +1,7 @@
 // What is known of holes of the gamma shape, on its way through files and sorts.
 //
 // A hole is a piece of the solid's facets that the gamma shape lacks: those hang together at edges.
-// Thread rule: values. Memory: 24, 8, 32 and 136 bytes, on disk as in memory (docs/formats.md).
+// Thread rule: values. Memory: 24, 8, 32, 136 and 16 bytes, on disk as in memory (docs/formats.md).
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "engine/crust/crust_records.h"
+#include "engine/surface/facet_record.h"
 #include "spatial/point.h"
 
 namespace stream_recon {
@@ -61,9 +62,26 @@ struct HoleCrust {
   }
 };
 
+/// A facet of the surface, not of the hole, with two or three of the hole's samples.
+struct OuterFacet {
+  std::uint32_t hole = 0;
+  std::array<std::uint32_t, 3> ranks{};  ///< ascending
+
+  friend bool operator<(const OuterFacet& a, const OuterFacet& b) {
+    return std::tie(a.hole, a.ranks) < std::tie(b.hole, b.ranks);
+  }
+};
+
+/// Of a facet of the surface.
+inline std::array<std::uint32_t, 3> ranks_of(const FacetRecord& facet) {
+  return {static_cast<std::uint32_t>(facet.ranks[0]), static_cast<std::uint32_t>(facet.ranks[1]),
+          static_cast<std::uint32_t>(facet.ranks[2])};
+}
+
 static_assert(sizeof(HoleFill) == 24 && std::is_trivially_copyable_v<HoleFill>);
 static_assert(sizeof(HoleSample) == 8 && std::is_trivially_copyable_v<HoleSample>);
 static_assert(sizeof(HolePoint) == 32 && std::is_trivially_copyable_v<HolePoint>);
+static_assert(sizeof(OuterFacet) == 16 && std::is_trivially_copyable_v<OuterFacet>);
 static_assert(sizeof(HoleCrust) == 136 && std::is_trivially_copyable_v<HoleCrust>);
 
 inline constexpr std::size_t kHoleBlock = std::size_t{128} << 10;

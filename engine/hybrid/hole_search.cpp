@@ -59,8 +59,7 @@ class FillSets {
 };
 
 HoleFill fill_of(const FacetRecord& facet) {
-  HoleFill fill;
-  for (int i = 0; i < 3; ++i) fill.ranks[i] = static_cast<std::uint32_t>(facet.ranks[i]);
+  HoleFill fill{.ranks = ranks_of(facet)};
   fill.delta = facet.delta;
   fill.closure = facet.closure;
   fill.facing = static_cast<std::int8_t>(facet.facing);

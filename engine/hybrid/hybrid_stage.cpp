@@ -8,6 +8,7 @@
 #include "engine/hybrid/hole_crust.h"
 #include "engine/hybrid/hole_samples.h"
 #include "engine/hybrid/hole_search.h"
+#include "engine/hybrid/outer_facets.h"
 #include "engine/hybrid/patch.h"
 #include "engine/hybrid/patch_writer.h"
 #include "engine/hybrid/stored_hole.h"
@@ -41,22 +42,26 @@ class HybridStage {
   HybridResult run() {
     result_.report.holes = counts_.holes;
     HoleSamples samples(options_.layout.point_count, context_.budget);
-    PatchWriter out(exports_, options_.layout.point_count, context_);
     const Reservation memory = context_.budget.reserve(
         PatchWriter::memory() + HoleReader::memory() + 3 * kBatchBytes, "patches on their way");
     const Reservation marks = context_.budget.reserve(counts_.holes / 8, "holes without a patch");
     is_open_.resize(counts_.holes);
-    close_by_triangles_all(samples, out);
-    if (!samples.empty()) close_by_crust(samples, out);
-    out.finish();
+    close_by_triangles_all(samples);
+    if (!samples.empty()) close_by_crust(samples);
     context_.scratch.remove(kHoleFills);
     context_.scratch.remove(kHolePoints);
     return result_;
   }
 
  private:
-  void close_by_triangles_all(HoleSamples& samples, PatchWriter& out) {
-    HoleReader reader(context_.scratch, {});
+  /// No window begins at such a rank.
+  PatchWriter make_writer(std::uint64_t number) const {
+    return {exports_, options_.layout.point_count + number, context_};
+  }
+
+  void close_by_triangles_all(HoleSamples& samples) {
+    PatchWriter out = make_writer(0);
+    HoleReader reader(context_.scratch, false);
     while (reader.next()) {
       if (result_.report.by_triangles % kBatchHoles == 0) context_.stop.check();
       const StoredHole stored = reader.read();
@@ -72,9 +77,11 @@ class HybridStage {
       }
     }
     samples.finish();
+    out.finish();
   }
 
-  void close_by_crust(const HoleSamples& samples, PatchWriter& out) {
+  void close_by_crust(const HoleSamples& samples) {
+    store_outer_facets(samples, context_);
     const HoleCrustOptions options{options_.threads, options_.window_points};
     const HoleCrustResult crust =
         build_hole_crust(cloud_, options_.layout.point_count, samples, options, context_);
@@ -82,9 +89,12 @@ class HybridStage {
     {
       const Reservation memory = context_.budget.reserve(
           threads_in_use() * crust.most_triangles * kBytesACrustTriangle, "the largest holes");
-      HoleReader reader(context_.scratch, kHoleCrust);
+      PatchWriter out = make_writer(1);
+      HoleReader reader(context_.scratch, true);
       while (reader.next()) close_some(reader, out);
+      out.finish();
     }
+    context_.scratch.remove(kOuterFacets);
     context_.scratch.remove(kHoleCrust);
   }
 
@@ -122,6 +132,7 @@ class HybridStage {
     HybridReport& report = result_.report;
     ++(patch.kind == PatchKind::kCrust ? report.by_crust : report.by_triangles);
     report.patch_triangles += patch.triangles.size();
+    report.kept_fills += patch.kept_fills;
     report.unused_samples += patch.unused_samples;
     out.write(stored, patch.triangles);
   }

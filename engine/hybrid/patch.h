@@ -3,11 +3,11 @@
 // Where a walk fails, or a part of the patch would not fit, the fills at that place are kept and
 // the rest of the hole is tried again. Guarantees: the border of a patch is the hole's, edge by
 // edge and in its direction; every other edge has two triangles, or no more than the fills have
-// there; no vertex is added. So it fits without cracks. The inner edges may still be edges of
-// facets outside the hole, which the hole does not tell. Same hole and crust, same patch. Thread
-// rule: pure. Memory: 200 bytes a triangle of the crust, four times that where it is subdivided.
-// Cost of a round: n log n, about 1 us a triangle of the crust; most holes need one. Source:
-// thesis, 2007, chapter 6; docs/algorithms/hybrid.md
+// there; no vertex is added. So it fits without cracks. No facet outside the hole, as far as
+// the hole tells of them, is there again or has its edges used. Same hole and crust, same patch.
+// Thread rule: pure. Memory: 200 bytes a triangle of the crust, four times that where it is
+// subdivided. Cost of a round: n log n, about 1 us a triangle of the crust; most holes need one.
+// Source: thesis, 2007, chapter 6; docs/algorithms/hybrid.md
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ struct PatchOptions {
   MergeOptions merge;
   double most_area = 4;    ///< of a patch, in areas of the fills: others went astray
   int most_rounds = 40;    ///< of keeping fills where the crust is of no use
-  double most_kept = 0.5;  ///< share of the fills: with more it is no patch of the crust
+  double most_kept = 0.67;  ///< share of the fills: with more it is no patch of the crust
 };
 
 Patch make_patch(const Hole& hole, const CrustPiece& crust, const PatchOptions& options = {});

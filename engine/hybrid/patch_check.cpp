@@ -13,28 +13,36 @@ struct EdgeUse {
   int turns = 0;  ///< triangles up less triangles down, less the same of the rings
   int rings = 0;
   int fills = 0;
+  int outer = 0;  ///< facets outside the hole
 };
 
+EdgeUse outer_use(const HoleEdge& edge) {
+  return {edge, 0, 0, 0, 0, 1};
+}
+
 EdgeUse fill_use(std::uint32_t from, std::uint32_t to) {
-  return {{std::min(from, to), std::max(from, to)}, 0, 0, 0, 1};
+  return {{std::min(from, to), std::max(from, to)}, 0, 0, 0, 1, 0};
 }
 
 EdgeUse triangle_use(std::uint32_t from, std::uint32_t to) {
-  return {{std::min(from, to), std::max(from, to)}, 1, from < to ? 1 : -1, 0, 0};
+  return {{std::min(from, to), std::max(from, to)}, 1, from < to ? 1 : -1, 0, 0, 0};
 }
 
 EdgeUse ring_use(std::uint32_t from, std::uint32_t to) {
-  return {{std::min(from, to), std::max(from, to)}, 0, from < to ? -1 : 1, 1, 0};
+  return {{std::min(from, to), std::max(from, to)}, 0, from < to ? -1 : 1, 1, 0, 0};
 }
 
 /// The uses of one edge, added up: as a manifold, the border of which is the ring.
 bool is_in_order(const EdgeUse& sum) {
-  const int most = std::max(sum.rings > 0 ? sum.rings : 2, sum.fills);
+  const int inner = sum.outer > 0 ? 0 : 2;
+  const int most = std::max(sum.rings > 0 ? sum.rings : inner, sum.fills);
   return sum.turns == 0 && sum.triangles <= most;
 }
 
-void add_twins(const std::vector<HoleTriangle>& triangles, std::vector<HoleEdge>& found) {
+void add_twins(const std::vector<HoleTriangle>& triangles, const Hole& hole,
+               std::vector<HoleEdge>& found) {
   std::vector<HoleTriangle> sorted = triangles;
+  sorted.insert(sorted.end(), hole.outer_facets.begin(), hole.outer_facets.end());
   for (HoleTriangle& t : sorted) std::sort(t.begin(), t.end());
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 1; i < sorted.size(); ++i) {
@@ -52,6 +60,7 @@ std::vector<EdgeUse> edge_uses(const std::vector<HoleTriangle>& triangles, const
   for (const HoleTriangle& t : hole.fills) {
     for (std::size_t i = 0; i < 3; ++i) uses.push_back(fill_use(t[i], t[(i + 1) % 3]));
   }
+  for (const HoleEdge& edge : hole.outer_edges) uses.push_back(outer_use(edge));
   for (const auto& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       uses.push_back(ring_use(ring[i], ring[(i + 1) % ring.size()]));
@@ -67,7 +76,7 @@ std::vector<EdgeUse> edge_uses(const std::vector<HoleTriangle>& triangles, const
 std::vector<HoleEdge> misfits(const std::vector<HoleTriangle>& triangles, const Hole& hole,
                               const std::vector<std::vector<std::uint32_t>>& rings) {
   std::vector<HoleEdge> found;
-  add_twins(triangles, found);
+  add_twins(triangles, hole, found);
   const std::vector<EdgeUse> uses = edge_uses(triangles, hole, rings);
   for (std::size_t first = 0; first < uses.size();) {
     EdgeUse sum{uses[first].edge};
@@ -76,6 +85,7 @@ std::vector<HoleEdge> misfits(const std::vector<HoleTriangle>& triangles, const 
       sum.turns += uses[first].turns;
       sum.rings += uses[first].rings;
       sum.fills += uses[first].fills;
+      sum.outer += uses[first].outer;
     }
     if (!is_in_order(sum)) found.push_back(sum.edge);
   }

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/hybrid/hole_crust.h"
 #include "engine/hybrid/hole_search.h"
+#include "engine/hybrid/outer_facets.h"
 #include "engine/surface/facet_record.h"
 #include "spatial/vector.h"
 
@@ -43,9 +45,11 @@ std::uint64_t StoredHole::bytes() const {
          crust.triangles.capacity() * sizeof(std::array<std::uint32_t, 3>);
 }
 
-HoleReader::HoleReader(const ScratchDirectory& scratch, const std::optional<std::string>& crust)
+HoleReader::HoleReader(const ScratchDirectory& scratch, bool has_surroundings)
     : fills_(scratch, kHoleFills), points_(scratch, kHolePoints) {
-  if (crust) crust_.emplace(scratch, *crust);
+  if (!has_surroundings) return;
+  crust_.emplace(scratch, kHoleCrust);
+  outer_.emplace(scratch, kOuterFacets);
 }
 
 StoredHole HoleReader::read() {
@@ -66,12 +70,32 @@ StoredHole HoleReader::read() {
     stored.records.push_back(fill);
   });
   if (crust_) read_crust(stored);
+  if (outer_) read_outer_facets(stored);
   return stored;
 }
 
 void HoleReader::skip() {
   const std::uint32_t number = *next();
   fills_.visit(number, [](const HoleFill&) {});
+}
+
+void HoleReader::read_outer_facets(StoredHole& stored) {
+  std::vector<std::uint32_t> corners;
+  outer_->visit(stored.number, [&](const OuterFacet& facet) {
+    corners.clear();
+    for (const std::uint32_t rank : facet.ranks) {
+      const auto at = std::lower_bound(stored.ranks.begin(), stored.ranks.end(), rank);
+      if (at == stored.ranks.end() || *at != rank) continue;
+      corners.push_back(static_cast<std::uint32_t>(at - stored.ranks.begin()));
+    }
+    Hole& hole = stored.hole;
+    if (corners.size() == 3) hole.outer_facets.push_back({corners[0], corners[1], corners[2]});
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t k = i + 1; k < corners.size(); ++k) {
+        hole.outer_edges.push_back({corners[i], corners[k]});
+      }
+    }
+  });
 }
 
 // Corners of one name are one vertex; vertices are numbered by their names.

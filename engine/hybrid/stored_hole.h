@@ -1,4 +1,5 @@
-// Holes as the search left them, one after the other, with the crust near them where there is any.
+// Holes as the search left them, one after the other, with the crust near them and the facets
+// beside them where these are there.
 //
 // Thread rule: a reader belongs to one thread. Memory: HoleReader::memory(), and about bytes() a
 // hole that was read.
@@ -6,7 +7,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "engine/hybrid/crust_piece.h"
@@ -28,13 +28,14 @@ struct StoredHole {
 class HoleReader {
  public:
   /// \pre find_holes() has been called.
-  /// \param crust name of a file of HoleCrust; without it no hole has a crust
+  /// \param has_surroundings whether holes come with the crust near them and the facets beside
+  /// them: build_hole_crust() and store_outer_facets() have been called
   /// \throw IoError
-  HoleReader(const ScratchDirectory& scratch, const std::optional<std::string>& crust);
+  HoleReader(const ScratchDirectory& scratch, bool has_surroundings);
 
   static constexpr std::uint64_t memory() {
     return HoleGroups<HoleFill>::memory() + HoleGroups<HolePoint>::memory() +
-           HoleGroups<HoleCrust>::memory();
+           HoleGroups<HoleCrust>::memory() + HoleGroups<OuterFacet>::memory();
   }
 
   /// The number of the next hole; nothing at the end. \throw IoError
@@ -46,10 +47,12 @@ class HoleReader {
 
  private:
   void read_crust(StoredHole& stored);
+  void read_outer_facets(StoredHole& stored);
 
   HoleGroups<HoleFill> fills_;
   HoleGroups<HolePoint> points_;
   std::optional<HoleGroups<HoleCrust>> crust_;
+  std::optional<HoleGroups<OuterFacet>> outer_;
 };
 
 }  // namespace stream_recon
