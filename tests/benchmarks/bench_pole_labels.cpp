@@ -55,10 +55,10 @@ namespace stream_recon {
 namespace {
 
 struct CommandLine {
-  std::vector<std::string> cases{
-      "folds:random",    "folds:noisy",   "folds:crossings:2", "folds:faces:1",  "folds:centres:1",
-      "folds:centres:4", "sponge:random", "sponge:noisy",      "sponge:faces:2", "blob:random",
-      "blob:noisy",      "uneven:random", "uneven:noisy",      "plate:noisy"};
+  std::vector<std::string> cases{"folds:random",  "folds:crossings:2", "sponge:random",
+                                 "blob:random",   "folds:noisy",       "sponge:noisy",
+                                 "blob:noisy",    "uneven:noisy",      "plate:noisy",
+                                 "folds:faces:1", "folds:centres:1",   "folds:centres:4"};
   std::uint64_t points = 50'000;
   double noise = 0.25;
   double deep = 0;
