@@ -147,8 +147,8 @@ class LabelledCloud {
   /// Of every rank, units of the input.
   std::vector<double> spacings() const {
     const auto scaled_ones = read_all<float>(stage_.scratch, kSpacings);
-    std::vector<double> spacings;
-    for (const float spacing : scaled_ones) spacings.push_back(spacing / scale_);
+    std::vector<double> spacings(scaled_ones.begin(), scaled_ones.end());
+    for (double& spacing : spacings) spacing /= scale_;
     return spacings;
   }
   double scale() const { return scale_; }
