@@ -8,7 +8,8 @@ stream_recon_test(tool_clouds_test
     tool_solid_samples_test.cpp
   LIBRARIES stream_recon_clouds)
 stream_recon_test(tool_solid_quality_test
-  SOURCES tool_solid_quality_test.cpp benchmarks/label_error.cpp
+  SOURCES tool_pole_links_test.cpp tool_solid_quality_test.cpp benchmarks/label_error.cpp
+    benchmarks/pole_links.cpp
   LIBRARIES stream_recon_clouds)
 stream_recon_test(tool_point_sink_test
   SOURCES tool_point_sink_test.cpp
