@@ -49,6 +49,20 @@ TEST(Crust, SplitIsAManifold) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error << outcome.out;
 }
 
+TEST(Crust, OfVoxelsWithCornersInOnePlaceIsSplitIntoAManifold) {
+  const CommandFolder folder;
+  for (const std::string cloud : {"blob -n 3000 --sampling faces", "folds -n 5000 --sampling faces",
+                                  "blob -n 2000 --sampling centres"}) {
+    SCOPED_TRACE(cloud);
+    const Outcome outcome = folder.run(
+        "make-cloud " + cloud +
+        " --slice-step 1 -o cloud.pts && "
+        "stream-recon cloud.pts --surface crust --manifold --chunk-points 5000 -o out.pvtp && "
+        "mesh-check out.pvtp --require closed,manifold,oriented");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error << outcome.out;
+  }
+}
+
 TEST(Crust, OfBallsMergedWithinATolerance) {
   const CommandFolder folder;
   ASSERT_EQ(folder.run("make-cloud blob -n 2000 -o cloud.ply").exit_code, 0);

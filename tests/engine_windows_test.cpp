@@ -247,6 +247,32 @@ TEST(WindowWork, OfPointsOnASphereIsAsOfAnyOtherSurface) {
   }
 }
 
+/// A wavy sheet cut by a box, as a scanned volume is: thousands of samples in its flat sides.
+Cloud cut_by_a_box(int count) {
+  return from_parameters(count, [](int i, auto& random) {
+    Point3 p = families::random_point(random);
+    const double wave = 0.4 * std::sin(4 * p.x) * std::cos(3 * p.y);
+    if (i % 3 == 0) return Point3{p.x, p.y, -1};
+    if (i % 3 == 1) return Point3{1, p.y, -1 + (1 + p.z) / 4};
+    return Point3{p.x, p.y, wave};
+  });
+}
+
+TEST(WindowWork, OfFlatSidesSquareToTheAxesIsAsOfAnyOtherSurface) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "counts the same with a sanitizer";
+#endif
+  const TestFolder folder;
+  const Cloud cloud = cut_by_a_box(12000);
+  RunOptions options = options_for(folder, write_cloud(folder, cloud));
+  options.window_points = 3000;
+  const Report report = reconstruct(options);
+  EXPECT_EQ(report.delaunay.digest, digest_in_core(cloud));
+  // Hundreds where every facet of a side meets every point of it.
+  EXPECT_LT(static_cast<double>(report.windows.exact_tests),
+            4 * static_cast<double>(report.windows.queries));
+}
+
 TEST(WindowLimits, AStarThatDoesNotFitIsRefusedWithTheNumbers) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "takes minutes with a sanitizer; the other builds run it";

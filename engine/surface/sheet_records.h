@@ -24,9 +24,11 @@ struct StarTriangle {
 
   ShortRank other_than(ShortRank rank) const { return rank == low ? high : low; }
 
-  /// Of one vertex: in the order of the triangles' sorted ranks.
+  /// Of one vertex: in the order of the triangles' sorted ranks, and of two that face each other in
+  /// one order.
   friend bool operator<(const StarTriangle& a, const StarTriangle& b) {
-    return std::tie(a.vertex, a.low, a.high) < std::tie(b.vertex, b.low, b.high);
+    return std::tie(a.vertex, a.low, a.high, a.is_outward) <
+           std::tie(b.vertex, b.low, b.high, b.is_outward);
   }
 };
 
@@ -35,7 +37,7 @@ struct StarTriangle {
 struct SheetTouch {
   ShortRank vertex = 0;
   ShortRank other = 0;
-  ShortRank third = 0;  ///< the lower of the third vertices of the wedge's triangles
+  ShortRank third = 0;  ///< of the wedge's triangle that rises from the lower end to the higher
   std::uint32_t sheet = 0;
 
   friend bool operator<(const SheetTouch& a, const SheetTouch& b) {
@@ -46,10 +48,15 @@ struct SheetTouch {
 /// The corner of a triangle at a vertex of several sheets.
 struct SheetCorner {
   std::array<ShortRank, 3> ranks{};  ///< of the triangle, ascending
-  std::uint32_t place = 0;           ///< 4 * sheet + corner
+  std::uint32_t place = 0;           ///< 4 * sheet + corner, and kOutward
 
+  /// The triangle is counterclockwise from outside in the order of its ranks: two may have the same
+  /// ranks, and face each other.
+  static constexpr std::uint32_t kOutward = std::uint32_t{1} << 31;
+
+  bool is_outward() const { return (place & kOutward) != 0; }
   std::uint32_t corner() const { return place % 4; }
-  std::uint32_t sheet() const { return place / 4; }
+  std::uint32_t sheet() const { return (place & ~kOutward) / 4; }
   ShortRank rank() const { return ranks[corner()]; }
 
   friend bool operator<(const SheetCorner& a, const SheetCorner& b) {
@@ -62,7 +69,8 @@ struct SheetCorner {
 struct TurnedPair {
   ShortRank low = 0;  ///< ends of the edge, ascending
   ShortRank high = 0;
-  std::array<ShortRank, 2> thirds{};  ///< the triangles' third vertices, ascending
+  /// Third vertices: of the triangle that falls from the high end to the low one, and of the other.
+  std::array<ShortRank, 2> thirds{};
 
   friend bool operator==(const TurnedPair&, const TurnedPair&) = default;
   friend bool operator<(const TurnedPair& a, const TurnedPair& b) {

@@ -31,9 +31,13 @@ void for_each_star(std::span<const StarTriangle> stars, const Visit& visit) {
 }
 
 SheetCorner corner_of(const StarTriangle& t, std::uint32_t sheet) {
-  if (t.vertex < t.low) return {{t.vertex, t.low, t.high}, 4 * sheet};
-  if (t.vertex < t.high) return {{t.low, t.vertex, t.high}, 4 * sheet + 1};
-  return {{t.low, t.high, t.vertex}, 4 * sheet + 2};
+  const std::uint32_t corner = t.vertex < t.low ? 0 : t.vertex < t.high ? 1 : 2;
+  // An odd turn of the order.
+  const bool is_outward = (t.is_outward != 0) != (corner == 1);
+  const std::uint32_t place = 4 * sheet + corner + (is_outward ? SheetCorner::kOutward : 0);
+  if (corner == 0) return {{t.vertex, t.low, t.high}, place};
+  if (corner == 1) return {{t.low, t.vertex, t.high}, place};
+  return {{t.low, t.high, t.vertex}, place};
 }
 
 std::span<const SheetTouch> touches_of(ShortRank vertex, std::span<const SheetTouch> touches) {

@@ -11,7 +11,8 @@ constexpr const char* kHolder =
 
 /// Where each corner's sheet is among the vertices; both ascend by triangle.
 void turn_to_sheets(std::span<const SheetCorner> corners, std::span<const SheetKey> keys,
-                    std::span<const PointRank> ranks, std::vector<LocalTriangle>& triangles) {
+                    ChunkFacets& facets) {
+  const std::span<const PointRank> ranks = facets.vertices;
   // Of each rank, its first vertex.
   std::vector<std::uint32_t> first(ranks.size());
   std::uint32_t next = 0;
@@ -20,14 +21,19 @@ void turn_to_sheets(std::span<const SheetCorner> corners, std::span<const SheetK
     while (next < keys.size() && keys[next] >> 32 == ranks[i]) ++next;
   }
   auto corner = corners.begin();
-  for (LocalTriangle& triangle : triangles) {
+  for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
+    LocalTriangle& triangle = facets.triangles[t];
+    const bool is_outward = facets.facing[t] == Facing::kOutward;
+    const auto is_of_triangle = [&](const SheetCorner& c, const std::array<ShortRank, 3>& named) {
+      return c.ranks == named && c.is_outward() == is_outward;
+    };
     LocalTriangle split{};
     std::array<ShortRank, 3> named{};
     for (int i = 0; i < 3; ++i) {
       split[i] = first[triangle[i]];
       named[i] = static_cast<ShortRank>(ranks[triangle[i]]);
     }
-    for (; corner != corners.end() && corner->ranks == named; ++corner) {
+    for (; corner != corners.end() && is_of_triangle(*corner, named); ++corner) {
       const SheetKey key = sheet_key(corner->rank(), corner->sheet());
       std::uint32_t& vertex = split[corner->corner()];
       while (keys[vertex] != key) ++vertex;
@@ -69,7 +75,7 @@ SplitFacets split_facets(const SurfaceSheets& sheets, std::uint64_t chunk, Memor
   {
     const auto corners = sheets.corners(chunk);
     split.keys = split_vertices(facets.vertices, corners);
-    if (!corners.empty()) turn_to_sheets(corners, split.keys, facets.vertices, facets.triangles);
+    if (!corners.empty()) turn_to_sheets(corners, split.keys, facets);
   }
   facets.vertices.clear();
   for (const SheetKey key : split.keys) {

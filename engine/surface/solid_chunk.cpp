@@ -106,7 +106,8 @@ class SolidChunkExamination {
     } else if (uses.size() > 2 && !find_turned_pairs(uses)) {
       sides_.clear();
       for (std::uint32_t i = 0; i < uses.size(); ++i) {
-        sides_.push_back({crowded_point(apex(uses[i])), stars_.rises(uses[i]), i});
+        const std::uint32_t third = apex(uses[i]);
+        sides_.push_back({crowded_point(third), stars_.ranks[third], stars_.rises(uses[i]), i});
       }
       pairs_ = inside_wedges({crowded_point(uses[0].low), crowded_point(uses[0].high)}, sides_,
                              predicates_);
@@ -118,15 +119,15 @@ class SolidChunkExamination {
   bool find_turned_pairs(std::span<const EdgeUse> uses) {
     const auto low = static_cast<ShortRank>(stars_.ranks[uses[0].low]);
     const auto high = static_cast<ShortRank>(stars_.ranks[uses[0].high]);
-    const auto place_of = [&](ShortRank third) {
+    const auto place_of = [&](ShortRank third, bool rises) {
       const auto at = std::find_if(uses.begin(), uses.end(), [&](const EdgeUse& use) {
-        return stars_.ranks[apex(use)] == third;
+        return stars_.ranks[apex(use)] == third && stars_.rises(use) == rises;
       });
       return static_cast<std::uint32_t>(at - uses.begin());
     };
     auto pair = std::lower_bound(turned_.begin(), turned_.end(), TurnedPair{low, high, {}});
     for (; pair != turned_.end() && pair->low == low && pair->high == high; ++pair) {
-      pairs_.push_back({place_of(pair->thirds[0]), place_of(pair->thirds[1])});
+      pairs_.push_back({place_of(pair->thirds[0], false), place_of(pair->thirds[1], true)});
     }
     return !pairs_.empty();
   }

@@ -114,7 +114,8 @@ void VertexSheets::find_wedges(std::span<const Spoke> spokes, const RankedPoints
   for (const Spoke& spoke : spokes) {
     const StarTriangle& t = star_[spoke.triangle];
     const bool rises = (t.is_outward != 0) == (other == t.low);
-    sides.push_back({points.at(t.other_than(other)), rises, spoke.triangle});
+    const ShortRank third = t.other_than(other);
+    sides.push_back({points.at(third), third, rises, spoke.triangle});
   }
   const std::array<Point3, 2> edge{points.at(star_[0].vertex), points.at(other)};
   multiple_.push_back({other, inside_wedges(edge, sides, points.predicates())});
@@ -135,8 +136,9 @@ void VertexSheets::number_sheets() {
   }
 }
 
+/// A wedge's second triangle rises along the edge from this vertex to the other.
 ShortRank VertexSheets::third_of(const Wedge& wedge, ShortRank other) const {
-  return std::min(star_[wedge[0]].other_than(other), star_[wedge[1]].other_than(other));
+  return star_[star_[0].vertex < other ? wedge[1] : wedge[0]].other_than(other);
 }
 
 std::vector<SheetTouch> VertexSheets::touches() const {
@@ -190,7 +192,8 @@ std::vector<TurnedPair> VertexSheets::turned_pairs() const {
     for (const Wedge& wedge : edge.wedges) {
       const ShortRank a = star_[wedge[0]].other_than(edge.other);
       const ShortRank b = star_[wedge[1]].other_than(edge.other);
-      pairs.push_back({low, high, {std::min(a, b), std::max(a, b)}});
+      const bool is_low = star_[0].vertex < edge.other;
+      pairs.push_back({low, high, is_low ? std::array{a, b} : std::array{b, a}});
     }
   }
   return pairs;

@@ -233,6 +233,9 @@ void CertificateSearch::search_leaf(const Leaf& leaf, HalfSpaceQuery& query) {
     if (height + error < query.best || (conflict != kFinal && height <= query.best)) continue;
     if (present_->is_single(first + i)) continue;
     const bool is_certain = height > error;
+    if (!is_certain && query.half_space.is_beside_circle(leaf.page.scaled_point(leaf.offset + i))) {
+      continue;
+    }
     counts_.exact_tests += is_certain ? 0 : 1;
     if (!is_certain && !delaunay_->in_conflict(query.cell, leaf.page.point(leaf.offset + i))) {
       continue;

@@ -20,6 +20,11 @@ HalfSpace::HalfSpace(const std::array<Point3, 3>& facet, const CloudIndex& index
   normal_ = cross(u, w);
   normal_length_ = length(normal_);
   height_error_ = 16 * kRoundoff * (length(u) * length(w) + normal_length_);
+  circle_ = FlatCircle::of({corner_, scaled(facet[1], index.scale), scaled(facet[2], index.scale)});
+}
+
+bool HalfSpace::is_beside_circle(const Point3& scaled_point) const {
+  return circle_ && circle_->is_surely_outside(scaled_point);
 }
 
 Region HalfSpace::at_least(double least, const ListFrame& frame) const {

@@ -2,13 +2,16 @@
 // its hull facet, nor in the facet's plane inside its circumcircle.
 //
 // Guarantees: as CertificateSearch. Thread rule: a value of one window's.
-// Cost: as a ball; points in the plane of a flat side of the hull cost an exact test each.
+// Cost: as a ball; of the points in the plane of a flat side of the hull those within or near the
+// circle cost an exact test each; where the side is not square to the axes, all of them.
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "engine/windows/cloud_index.h"
 #include "spatial/ball_list.h"
+#include "spatial/flat_circle.h"
 
 namespace stream_recon {
 
@@ -29,6 +32,10 @@ class HalfSpace {
   /// normal.
   Height height(const Point3& scaled_point) const;
 
+  /// Whether the point is in the facet's plane, exactly, and outside its circumcircle for sure: not
+  /// in conflict. Only of planes square to an axis is that known.
+  bool is_beside_circle(const Point3& scaled_point) const;
+
  private:
   Point3 corner_;           ///< of the facet, scaled
   Point3 corner_relative_;  ///< to the origin of the index
@@ -36,6 +43,7 @@ class HalfSpace {
   double normal_length_;
   double height_error_;  ///< for each unit of a point's distance
   double reach_;
+  std::optional<FlatCircle> circle_;
 };
 
 }  // namespace stream_recon
