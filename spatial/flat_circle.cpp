@@ -11,6 +11,8 @@ constexpr double kError = 32 * 0x1p-53;
 /// Beyond these products of four differences could be lost or infinite.
 constexpr double kSmallest = 0x1p-900;
 constexpr double kLargest = 0x1p1000;
+/// Of the area that is not lost to cancelling, below which nothing is said of centre and radius.
+constexpr double kLeastShare = 1e-6;
 /// Of sides that are shorter squares could be lost.
 constexpr double kSmallestArea = 0x1p-500;
 
@@ -59,6 +61,23 @@ std::optional<FlatCircle> FlatCircle::of(const std::array<Point3, 3>& corners) {
     return circle;
   }
   return std::nullopt;
+}
+
+double FlatCircle::level() const {
+  return along(corner_, axis_);
+}
+
+std::optional<FlatCircle::Ball> FlatCircle::ball() const {
+  if (!(area_ > kLeastShare * area_bound_)) return std::nullopt;
+  const double a = a_ / (2 * area_);
+  const double b = b_ / (2 * area_);
+  const double radius = std::sqrt(a * a + b * b);
+  const double error = 2 * kError * ((a_bound_ + b_bound_) / area_ + radius * area_bound_ / area_);
+  Point3 centre = corner_;
+  (axis_ == 0 ? centre.y : centre.x) += a;
+  (axis_ == 2 ? centre.y : centre.z) += b;
+  const double size = std::abs(centre.x) + std::abs(centre.y) + std::abs(centre.z);
+  return Ball{centre, (radius + error + kError * size) * (1 + kError)};
 }
 
 bool FlatCircle::is_surely_outside(const Point3& point) const {

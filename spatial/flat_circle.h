@@ -22,6 +22,18 @@ class FlatCircle {
 
   bool is_surely_outside(const Point3& point) const;
 
+  /// Of the axis: 0, 1 or 2.
+  int axis() const { return axis_; }
+  /// That the plane is at.
+  double level() const;
+
+  struct Ball {
+    Point3 centre;
+    double radius;  ///< its rounding and the centre's allowed for
+  };
+  /// Holds all points of the plane on the circle or inside; nothing if doubles know it badly.
+  std::optional<Ball> ball() const;
+
  private:
   int axis_ = 0;
   Point3 corner_;

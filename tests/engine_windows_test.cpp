@@ -268,6 +268,8 @@ TEST(WindowWork, OfFlatSidesSquareToTheAxesIsAsOfAnyOtherSurface) {
   options.window_points = 3000;
   const Report report = reconstruct(options);
   EXPECT_EQ(report.delaunay.digest, digest_in_core(cloud));
+  EXPECT_LT(static_cast<double>(report.windows.node_visits),
+            60 * static_cast<double>(report.windows.queries));
   // Hundreds where every facet of a side meets every point of it.
   EXPECT_LT(static_cast<double>(report.windows.exact_tests),
             4 * static_cast<double>(report.windows.queries));

@@ -101,6 +101,31 @@ TEST(FlatCircle, IsNeverWrongBesideTheCircleByRoundings) {
   EXPECT_GT(tally.outside, 1000);
 }
 
+TEST(FlatCircle, LiesInItsBallUpToTheTruth) {
+  std::mt19937_64 random(83);
+  std::uniform_real_distribution<double> place(-1, 1);
+  int known = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::array<Point3, 4> p;
+    for (Point3& q : p) q = {1e3 + place(random), place(random), 0.7};
+    if (outside(p) > 0) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto circle =
+          FlatCircle::of({turned(p[0], axis), turned(p[1], axis), turned(p[2], axis)});
+      if (!circle || !circle->ball()) continue;
+      const auto [centre, radius] = *circle->ball();
+      for (const Point3& q : p) {
+        const Point3 at = turned(q, axis);
+        EXPECT_LE(std::hypot(at.x - centre.x, at.y - centre.y, at.z - centre.z),
+                  radius * (1 + 1e-15));
+      }
+      EXPECT_EQ(circle->level(), 0.7);
+      ++known;
+    }
+  }
+  EXPECT_GT(known, 10000);
+}
+
 TEST(FlatCircle, SaysNothingOfOtherPlanes) {
   const auto circle = FlatCircle::of({{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}});
   ASSERT_TRUE(circle.has_value());

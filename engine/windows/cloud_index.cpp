@@ -96,6 +96,7 @@ class IndexBuilder {
     index_.range = cloud.range;
     index_.scale = scale_of(cloud.range);
     const Box3 box{scaled(cloud.box.low), scaled(cloud.box.high)};
+    index_.box = box;
     index_.origin = {box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2,
                      box.low.z / 2 + box.high.z / 2};
     index_.reach = 2 * std::max(largest_coordinate(box.low), largest_coordinate(box.high));

@@ -14,6 +14,7 @@
 #include "engine/stage_context.h"
 #include "engine/windows/index_layout.h"
 #include "engine/windows/sphere_shells.h"
+#include "spatial/box.h"
 #include "spatial/coordinate_range.h"
 #include "spatial/node_bounds.h"
 
@@ -28,6 +29,7 @@ struct CloudIndex {
   /// A power of two that brings the coordinates to where squares of lengths are doubles; 1 for all
   /// but extreme clouds. Everything below and the search are in scaled coordinates.
   double scale = 1;
+  Box3 box;          ///< of the points, exactly
   Point3 origin;     ///< of all node bounds
   double reach = 0;  ///< no coordinate, nor one relative to origin, is larger
   /// top[0] are the roots of the pages; four nodes of a level make one of the next; the last has

@@ -25,7 +25,8 @@ class HalfSpace {
   /// \param facet as the window's points are, counterclockwise from outside
   HalfSpace(const std::array<Point3, 3>& facet, const CloudIndex& index);
 
-  /// Of the points at `least` or more, and at less by what rounding may hide.
+  /// Of the points at `least` or more, and at less by what rounding may hide; in a side of the
+  /// cloud's box only of those in or near the circle.
   Region at_least(double least, const ListFrame& frame) const;
 
   /// Over the facet's plane, of a point in the coordinates of the index: so many lengths of the
@@ -37,6 +38,8 @@ class HalfSpace {
   bool is_beside_circle(const Point3& scaled_point) const;
 
  private:
+  bool is_side_of(const Box3& box) const;
+
   Point3 corner_;           ///< of the facet, scaled
   Point3 corner_relative_;  ///< to the origin of the index
   Point3 normal_;           ///< outward
@@ -44,6 +47,9 @@ class HalfSpace {
   double height_error_;  ///< for each unit of a point's distance
   double reach_;
   std::optional<FlatCircle> circle_;
+  /// Where no point of the cloud is beyond the plane: all in conflict are here, relative to the
+  /// origin of the index.
+  std::optional<FlatCircle::Ball> ball_;
 };
 
 }  // namespace stream_recon
