@@ -12,7 +12,6 @@
 #include "engine/crust/crust_sink.h"
 #include "engine/order/external_sort.h"
 #include "engine/order/far_ranks.h"
-#include "engine/poles/pole_store.h"
 #include "engine/windows/export_layout.h"
 
 namespace stream_recon {
@@ -106,33 +105,12 @@ std::uint64_t sort_by_hole(const StageContext& context) {
   return most;
 }
 
-/// The samples of holes, and those that share an inner pole with one: faces beside a hole, which
-/// walks around it need, are theirs.
-SampleChoice with_neighbors(const SampleChoice& choice, std::uint64_t samples,
-                            const StageContext& context) {
-  SampleChoice wider(samples);
-  const PoleFile file(context.scratch.open(kPoleStore));
-  PoleReader reader(file, context.budget);
-  std::vector<Pole> batch(kBatch);
-  while (const std::size_t count = reader.read(batch)) {
-    context.stop.check();
-    for (const Pole& pole : std::span<const Pole>(batch).first(count)) {
-      if (pole.is_inside == 0 || !choice.has_corner_of(pole.tetrahedron)) continue;
-      for (const std::uint32_t rank : pole.tetrahedron.ranks) wider.choose(rank);
-    }
-  }
-  return wider;
-}
-
 }  // namespace
 
 HoleCrustResult build_hole_crust(const CloudSummary& cloud, std::uint64_t point_count,
                                  const HoleSamples& samples, const HoleCrustOptions& options,
                                  const StageContext& context) {
   HoleCrustResult result;
-  const Reservation memory =
-      context.budget.reserve(SampleChoice::memory(point_count), "the samples beside holes");
-  const SampleChoice choice = with_neighbors(samples.choice(), point_count, context);
   {
     const CloudIndex index = build_index(cloud, point_count, context);
     const CrustWindows windows = build_crust_windows(
@@ -140,7 +118,7 @@ HoleCrustResult build_hole_crust(const CloudSummary& cloud, std::uint64_t point_
         {.threads = options.threads,
          .window_points = options.window_points,
          .far_ranks = far_ranks(cloud, context),
-         .choice = &choice,
+         .choice = &options.choice,
          .make_sink =
              [&](std::uint64_t first_rank) {
                return std::make_unique<HoleCrustSink>(

@@ -17,6 +17,7 @@ namespace stream_recon {
 inline constexpr const char* kHoleCrust = "hole_crust";
 
 struct HoleCrustOptions {
+  const SampleChoice& choice;  ///< poles that touch one of these have their faces made
   unsigned threads = 1;
   std::uint64_t window_points = 0;  ///< samples of a window at most; 0: what the memory allows
 };

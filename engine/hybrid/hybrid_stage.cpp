@@ -81,8 +81,11 @@ class HybridStage {
   }
 
   void close_by_crust(const HoleSamples& samples) {
-    store_outer_facets(samples, context_);
-    const HoleCrustOptions options{options_.threads, options_.window_points};
+    const Reservation bits = context_.budget.reserve(
+        SampleChoice::memory(options_.layout.point_count), "the samples beside holes");
+    SampleChoice beside = samples.choice();
+    store_outer_facets(samples, beside, context_);
+    const HoleCrustOptions options{beside, options_.threads, options_.window_points};
     const HoleCrustResult crust =
         build_hole_crust(cloud_, options_.layout.point_count, samples, options, context_);
     result_.power = crust.power;

@@ -27,7 +27,8 @@ void holes_beside(const FacetRecord& facet, const HoleSamples& samples,
 
 }  // namespace
 
-void store_outer_facets(const HoleSamples& samples, const StageContext& context) {
+void store_outer_facets(const HoleSamples& samples, SampleChoice& beside,
+                        const StageContext& context) {
   const std::uint64_t share = context.budget.available() * 2 / 5;
   ExternalSort<OuterFacet> sorted(
       context, {"facets at holes", std::max(share, ExternalSort<OuterFacet>::least_memory())});
@@ -40,7 +41,9 @@ void store_outer_facets(const HoleSamples& samples, const StageContext& context)
         holes_beside(facet, samples, holes);
         for (std::size_t i = 1; i < holes.size(); ++i) {
           const bool is_new = i == 1 || holes[i] != holes[i - 2];
-          if (holes[i] == holes[i - 1] && is_new) sorted.add({holes[i], ranks_of(facet)});
+          if (holes[i] != holes[i - 1] || !is_new) continue;
+          sorted.add({holes[i], ranks_of(facet)});
+          for (const std::uint32_t rank : ranks_of(facet)) beside.choose(rank);
         }
       }
     };

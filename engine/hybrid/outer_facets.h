@@ -16,7 +16,9 @@ namespace stream_recon {
 inline constexpr const char* kOuterFacets = "hole_outer_facets";
 
 /// \pre The exports under kLabelledPrefix have all facets but those of the holes.
+/// \param beside gets the corners of these facets, which are the samples beside holes
 /// \throw IoError, BudgetError, Interrupted
-void store_outer_facets(const HoleSamples& samples, const StageContext& context);
+void store_outer_facets(const HoleSamples& samples, SampleChoice& beside,
+                        const StageContext& context);
 
 }  // namespace stream_recon

@@ -41,8 +41,8 @@ struct Patch {
 struct PatchOptions {
   RingWalkOptions walk;
   MergeOptions merge;
-  double most_area = 4;    ///< of a patch, in areas of the fills: others went astray
-  int most_rounds = 40;    ///< of keeping fills where the crust is of no use
+  double most_area = 4;     ///< of a patch, in areas of the fills: others went astray
+  int most_rounds = 40;     ///< of keeping fills where the crust is of no use
   double most_kept = 0.67;  ///< share of the fills: with more it is no patch of the crust
 };
 
