@@ -208,9 +208,10 @@ class Pipeline {
           SpacingCache::memory(index.point_count, report_.threads, context_.budget.available());
       cache = context_.budget.reserve(bytes, "the spacings of points");
       spacings.emplace(context_.scratch, index, bytes);
-      evidence.emplace(
-          *spacings, context_.stop,
-          EvidenceOptions{.hands_on_poles = options_.needs_poles(), .samples = cloud.points});
+      evidence.emplace(*spacings, context_.stop,
+                       EvidenceOptions{.hands_on_poles = options_.needs_poles(),
+                                       .samples = cloud.points,
+                                       .least_ball = options_.least_ball});
       consumers.push_back(&*evidence);
       stage.consumer_bytes_a_point = EvidenceCollector::kBytesAnOwnedPoint;
       stage.whole_stars = true;

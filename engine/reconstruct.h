@@ -75,6 +75,9 @@ struct RunOptions {
   /// Poles whose centres and radii are equal, rounded to multiples of it, are one; units of the
   /// input, 0: those of the very same ball. For kCrust, kHybrid and medial axes.
   double pole_tolerance = 0;
+  /// Poles whose radius is less than so many spacings of their samples are left out; 0: none. For
+  /// kCrust, kHybrid and medial axes.
+  double least_ball = 0;
   /// Also writes the points that no triangle of the surface has; ends in .ply, empty for none. Not
   /// for kCrust, which has vertices of its own, and kHybrid.
   std::string unused;

@@ -40,8 +40,10 @@ Json memory_json(const std::vector<MemorySample>& samples) {
 }
 
 Json poles_json(const PoleReport& poles) {
-  return {{"count", poles.count}, {"coincident", poles.coincident}, {"unbounded", poles.unbounded},
-          {"inner", poles.inner}, {"outer", poles.outer},           {"conflicts", poles.conflicts}};
+  return {{"count", poles.count},         {"coincident", poles.coincident},
+          {"unbounded", poles.unbounded}, {"small", poles.small},
+          {"inner", poles.inner},         {"outer", poles.outer},
+          {"conflicts", poles.conflicts}};
 }
 
 Json power_json(const PowerReport& power) {

@@ -35,6 +35,7 @@ struct PoleReport {
   std::uint64_t count = 0;       ///< distinct balls
   std::uint64_t coincident = 0;  ///< tetrahedra whose ball is another's, merged with it
   std::uint64_t unbounded = 0;   ///< samples with a pole without a ball: at infinity, mostly
+  std::uint64_t small = 0;       ///< samples with a pole that is left out, once a pole
   std::uint64_t inner = 0;
   std::uint64_t outer = 0;
   std::uint64_t conflicts = 0;  ///< balls whose tetrahedra do not all lie on one side

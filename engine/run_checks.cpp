@@ -11,6 +11,9 @@
 namespace stream_recon {
 namespace {
 
+/// Balls that are larger are no noise.
+constexpr double kMostLeastBall = 100;
+
 void require(bool holds, const std::string& message) {
   if (!holds) throw std::invalid_argument(message);
 }
@@ -133,6 +136,8 @@ void check_thresholds(const RunOptions& options) {
   require(
       options.pole_tolerance >= 0 && options.pole_tolerance <= std::numeric_limits<double>::max(),
       "--pole-tolerance: give a length of 0 or more in the units of the input");
+  require(options.least_ball >= 0 && options.least_ball <= kMostLeastBall,
+          "--least-ball: give a number of spacings of the samples from 0 to 100, 1 for example");
   require(options.surface != SurfaceKind::kAlpha || is_radius,
           "--surface alpha needs --alpha R, a radius above 0 in the units of the input");
 }

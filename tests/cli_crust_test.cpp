@@ -84,6 +84,28 @@ TEST(Crust, OfBallsMergedWithinATolerance) {
   EXPECT_NEAR(merged["surface"]["volume"].get<double>(), volume, 1e-3 * volume);
 }
 
+TEST(Crust, OfNoisySamplesWithoutSmallBallsIsASmoothBall) {
+  const CommandFolder folder;
+  ASSERT_EQ(
+      folder.run("make-cloud blob -n 6000 --sampling noisy --noise 0.5 -o cloud.ply").exit_code, 0);
+  const std::string run = "stream-recon cloud.ply --surface crust -o out.ply --report r.json";
+  ASSERT_EQ(folder.run(run).exit_code, 0);
+  const auto plain = folder.json("r.json");
+  EXPECT_EQ(plain["poles"]["small"], 0);
+  const std::string bytes = folder.bytes("out.ply");
+  ASSERT_EQ(folder.run(run + " --least-ball 0").exit_code, 0);
+  EXPECT_TRUE(folder.bytes("out.ply") == bytes);
+  ASSERT_EQ(folder.run(run + " --least-ball 1").exit_code, 0);
+  const auto smooth = folder.json("r.json");
+  EXPECT_EQ(smooth["surface"]["euler"], 2);
+  EXPECT_EQ(smooth["surface"]["boundary_edges"], 0);
+  EXPECT_GT(smooth["poles"]["small"], 6000);
+  EXPECT_LT(smooth["surface"]["triangles"].get<int>(),
+            plain["surface"]["triangles"].get<int>() / 2);
+  const double volume = plain["surface"]["volume"];
+  EXPECT_NEAR(smooth["surface"]["volume"].get<double>(), volume, 0.01 * volume);
+}
+
 TEST(Crust, ComesWithItsMedialAxisAndTetrahedra) {
   const CommandFolder folder;
   ASSERT_EQ(folder.run("make-cloud blob -n 2000 -o cloud.ply").exit_code, 0);

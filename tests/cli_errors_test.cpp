@@ -90,6 +90,8 @@ TEST_F(Refusals, OfUsageAre64) {
       {"cube.ply -o out.pvtp --surface crust --medial-axis-faces", 64, "add that"},
       {"cube.ply -o out.pvtp --pole-tolerance 1", 64, "--surface crust, hybrid and --medial-axis"},
       {"cube.ply -o out.pvtp --surface crust --pole-tolerance=-1", 64, "0 or more"},
+      {"cube.ply -o out.pvtp --least-ball 1", 64, "--least-ball is for --surface crust"},
+      {"cube.ply -o out.pvtp --surface crust --least-ball=-1", 64, "from 0 to 100"},
       {"cube.ply -o out.pvtp --medial-axis m.pvtp --unused m/u.ply", 64, "one place"},
       {"cube.ply --surface none --medial-axis m.pvtp --open 4", 64, "--surface solid"},
       {"cube.ply --surface none --medial-axis m.pvtp --spacing 0", 64, "--spacing"},

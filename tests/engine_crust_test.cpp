@@ -340,6 +340,26 @@ INSTANTIATE_TEST_SUITE_P(
                           0, 0, 0}),
     [](const auto& test) { return test.param.name; });
 
+TEST(CrustOfNoise, LeavesTheSameSmallBallsOutInAnyWindows) {
+  const TestFolder folder;
+  std::mt19937_64 random(53);
+  std::normal_distribution<double> off(1, 0.03);
+  Cloud cloud = bumpy(kIsSlow ? 500 : 2000);
+  for (Point3& p : cloud) p = scaled(p, off(random));
+  RunOptions options = options_for_all(folder, cloud);
+  options.least_ball = 0.8;
+  const Report first = reconstruct(options);
+  EXPECT_GT(first.poles->small, cloud.size() / 10);
+  EXPECT_GT(first.surface.triangles, cloud.size());
+  EXPECT_EQ(first.surface.boundary_edges, 0U);
+  const std::string expected = output_bytes(folder);
+  options.window_points = 160;
+  options.threads = 3;
+  const Report second = reconstruct(options);
+  EXPECT_EQ(second.poles->small, first.poles->small);
+  EXPECT_TRUE(output_bytes(folder) == expected);
+}
+
 TEST(CrustRun, GoesOnAfterAFullDiskToTheSameBytes) {
   const TestFolder folder;
   RunOptions options = options_for_all(folder, bumpy(300));

@@ -81,6 +81,11 @@ void add_medial_axis_options(CLI::App& app, RunOptions& run) {
          "crust, hybrid, medial axis: balls that differ by less than about this length become one "
          "(default: 0, only the very same)")
       ->option_text("LENGTH");
+  app.add_option(
+         "--least-ball", run.least_ball,
+         "crust, hybrid, medial axis: leave out balls of fewer spacings of the samples than "
+         "this, for noisy ones 1 (default: 0, all are there)")
+      ->option_text("RATIO");
   app.add_option("--medial-axis-side", run.medial_axis_side,
                  "Which balls: inner (default), outer or both")
       ->transform(CLI::CheckedTransformer(sides))
@@ -201,6 +206,8 @@ void check_combinations(const CLI::App& app, const CommandLine& line) {
   require(
       has_axis || needs_power || app.count("--pole-tolerance") == 0,
       "--pole-tolerance is for --surface crust, hybrid and --medial-axis; add one or leave it out");
+  require(has_axis || needs_power || app.count("--least-ball") == 0,
+          "--least-ball is for --surface crust, hybrid and --medial-axis; add one or leave it out");
   require(has_axis || app.count("--medial-axis-side") == 0,
           "--medial-axis-side is for --medial-axis; add that or leave --medial-axis-side out");
   require(

@@ -70,10 +70,10 @@ class RegionMerge {
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     is_inner_sample_.assign(hole_.points.size(), true);
     for (const std::uint32_t sample : sample_of_) {
-      if (sample != kNoSample) is_inner_sample_[sample] = false;
+      if (sample != kNoHolePoint) is_inner_sample_[sample] = false;
     }
     for (const std::uint32_t v : vertices_) {
-      if (sample_of_[v] == kNoSample) free_.push_back(v);
+      if (sample_of_[v] == kNoHolePoint) free_.push_back(v);
     }
   }
 
@@ -109,12 +109,12 @@ class RegionMerge {
     is_in_region_.assign(crust_.triangles().size(), false);
     for (const std::uint32_t t : region_) is_in_region_[t] = true;
     for (const std::uint32_t v : vertices_) {
-      if (sample_of_[v] != kNoSample) offer_around(v);
+      if (sample_of_[v] != kNoHolePoint) offer_around(v);
     }
     while (!offers_.empty()) {
       const Offer best = offers_.top();
       offers_.pop();
-      if (sample_of_[best.vertex] != kNoSample) continue;
+      if (sample_of_[best.vertex] != kNoHolePoint) continue;
       sample_of_[best.vertex] = best.sample;
       offer_around(best.vertex);
     }
@@ -129,7 +129,7 @@ class RegionMerge {
   }
 
   void offer(std::uint32_t vertex, std::uint32_t sample) {
-    if (sample_of_[vertex] != kNoSample) return;
+    if (sample_of_[vertex] != kNoHolePoint) return;
     const auto place = std::lower_bound(free_.begin(), free_.end(), vertex) - free_.begin();
     const Point3 d = minus(places_[static_cast<std::size_t>(place)], hole_.points[sample]);
     offers_.push({dot(d, d), vertex, sample});

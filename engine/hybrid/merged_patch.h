@@ -23,7 +23,7 @@ struct MergeOptions {
 };
 
 /// \param region triangles of the crust
-/// \param sample_of of each vertex of the crust, or kNoSample: of the region's those on walks
+/// \param sample_of of each vertex of the crust, or kNoHolePoint: of the region's those on walks
 /// \return triangles of points of the hole
 std::vector<HoleTriangle> merged_patch(const Hole& hole, const CrustMesh& crust,
                                        const std::vector<std::uint32_t>& region,

@@ -49,7 +49,7 @@ class RingWalker {
         cost_(crust.points().size()),
         came_by_(crust.points().size(), kNoSide),
         seen_in_(crust.points().size(), 0) {
-    walks_.sample_of.assign(crust.points().size(), kNoSample);
+    walks_.sample_of.assign(crust.points().size(), kNoHolePoint);
     walks_.walked_for.assign(crust.side_count(), kNoEdge);
   }
 
@@ -88,7 +88,7 @@ class RingWalker {
       walks_.walked_for[side] = number;
       gone += side_length(side);
       std::uint32_t& sample = walks_.sample_of[crust_.to(side)];
-      if (sample == kNoSample) sample = edge[gone > whole / 2 ? 1 : 0];
+      if (sample == kNoHolePoint) sample = edge[gone > whole / 2 ? 1 : 0];
     }
   }
 
@@ -135,7 +135,7 @@ class RingWalker {
       for (const std::uint32_t side : crust_.sides_from(at.vertex)) {
         const std::uint32_t to = crust_.to(side);
         if (!crust_.is_plain(side)) continue;
-        if (to != goal && walks_.sample_of[to] != kNoSample) continue;
+        if (to != goal && walks_.sample_of[to] != kNoHolePoint) continue;
         const double aside = distance_to_segment(crust_.points()[to], a, b);
         const double cost = at.cost + side_length(side) * (1 + straight * aside);
         if (seen_in_[to] == search_ && !(cost < cost_[to])) continue;

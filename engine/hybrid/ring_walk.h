@@ -20,7 +20,7 @@
 
 namespace stream_recon {
 
-inline constexpr std::uint32_t kNoSample = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t kNoHolePoint = std::numeric_limits<std::uint32_t>::max();
 inline constexpr std::uint32_t kNoEdge = std::numeric_limits<std::uint32_t>::max();
 
 struct RingWalkOptions {
@@ -30,7 +30,7 @@ struct RingWalkOptions {
 
 struct RingWalks {
   std::vector<HoleEdge> edges;            ///< of the rings
-  std::vector<std::uint32_t> sample_of;   ///< of each vertex of the crust, or kNoSample
+  std::vector<std::uint32_t> sample_of;   ///< of each vertex of the crust, or kNoHolePoint
   std::vector<std::uint32_t> walked_for;  ///< of each side of the crust, in the ring's direction:
                                           ///< the edge of the rings, or kNoEdge
   std::vector<HoleEdge> failed;           ///< edges without a walk

@@ -60,7 +60,7 @@ class Collection {
     for (VertexId v = 0; v < window_.owned_count(); ++v) export_pole_pair(v);
   }
 
-  void export_balls_of_poles() {
+  void export_balls_of_poles(double least_ball) {
     // What reaches for a far point lies outside, whatever the evidence says.
     const auto attachment_of = [this](CellId cell) {
       const auto v = cells_.vertices(cell);
@@ -68,7 +68,14 @@ class Collection {
           std::any_of(v.begin(), v.end(), [this](VertexId i) { return spacing_[i] == kNoSample; });
       return is_far ? Attachment{} : attachment(cell);
     };
-    export_poles(window_, evidence_.poles(), attachment_of, out_);
+    // Far points have no spacing, which is less than any.
+    const auto is_too_small = [&](CellId cell, double radius) {
+      double spacing = 0;
+      for (const VertexId v : cells_.vertices(cell))
+        spacing = std::max(spacing, double{spacing_[v]});
+      return radius * scale_ < least_ball * spacing;
+    };
+    export_poles(window_, evidence_.poles(), {attachment_of, is_too_small}, out_);
   }
 
  private:
@@ -202,7 +209,7 @@ void EvidenceCollector::consume(const FinalWindow& window, ExportWriter& out) {
   Collection collection(window, balls, std::move(spacing), out);
   balls.drop_centres();
   collection.run(stop_);
-  if (options_.hands_on_poles) collection.export_balls_of_poles();
+  if (options_.hands_on_poles) collection.export_balls_of_poles(options_.least_ball);
 }
 
 // The forest comes when the centres are gone, what is exported when the entries are.

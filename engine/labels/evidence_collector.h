@@ -22,6 +22,8 @@ struct EvidenceOptions {
   /// Points from this input index on are no samples (order/far_points.h): they have no poles, and
   /// say nothing about the spacing.
   std::uint64_t samples = std::numeric_limits<std::uint64_t>::max();
+  /// Balls are no poles where their radius is less than so many spacings of their samples.
+  double least_ball = 0;
 };
 
 class EvidenceCollector : public WindowConsumer {

@@ -27,8 +27,8 @@ std::vector<CellId> cells_of(const FinalWindow& window, const StarPoles& poles) 
 
 }  // namespace
 
-void export_poles(const FinalWindow& window, const StarPoles& poles,
-                  const AttachmentOf& attachment_of, ExportWriter& out) {
+void export_poles(const FinalWindow& window, const StarPoles& poles, const PoleTraits& traits,
+                  ExportWriter& out) {
   const CellView view = window.delaunay().view();
   const std::vector<CellId> cells = cells_of(window, poles);
   for (auto first = cells.begin(); first != cells.end();) {
@@ -42,10 +42,11 @@ void export_poles(const FinalWindow& window, const StarPoles& poles,
     if (cell != PolePair::kInfinity) {
       const RankedCell ranked(window, view, cell);
       name.tetrahedron = ranked.key();
-      name.node = attachment_of(cell);
+      name.node = traits.attachment(cell);
       const TouchingBall found = touching_ball(ranked.corners(view));
       name.separation = found.separation;
       if (found.is_finite()) ball = {found.centre, found.radius};
+      name.is_small = traits.is_too_small(cell, found.radius) ? 1 : 0;
     }
     out.add(ExportKind::kPoleNames, window.first_rank(), name);
     out.add(ExportKind::kPoleBalls, window.first_rank(), ball);

@@ -17,12 +17,15 @@
 
 namespace stream_recon {
 
-/// How the label of a finite cell will be found.
-using AttachmentOf = std::function<Attachment(CellId)>;
+/// What else is told of the ball of a finite cell.
+struct PoleTraits {
+  std::function<Attachment(CellId)> attachment;      ///< how its label will be found
+  std::function<bool(CellId, double)> is_too_small;  ///< by its radius, units of the input
+};
 
 /// \pre The poles are those of the window. \throw IoError
-void export_poles(const FinalWindow& window, const StarPoles& poles,
-                  const AttachmentOf& attachment_of, ExportWriter& out);
+void export_poles(const FinalWindow& window, const StarPoles& poles, const PoleTraits& traits,
+                  ExportWriter& out);
 
 /// Bytes, for so many owned points.
 constexpr std::uint64_t pole_export_memory(std::uint64_t owned) {

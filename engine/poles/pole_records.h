@@ -17,8 +17,8 @@ struct PoleName {
   NodeKey tetrahedron;   ///< kInfiniteNode: the poles of samples of the hull, which have no ball
   Attachment node;       ///< of the tetrahedron, to a node of the window's table
   float separation = 0;  ///< largest angle at the centre between two of its samples, degrees
-  std::uint32_t samples = 0;  ///< of the window, whose pole it is
-  std::uint32_t unused = 0;
+  std::uint32_t samples = 0;   ///< of the window, whose pole it is
+  std::uint32_t is_small = 0;  ///< 1: too small to be a pole, and only counted
 };
 
 struct PoleBall {

@@ -121,6 +121,10 @@ class PoleStage {
       counts_.unbounded += name.samples;
       return;
     }
+    if (name.is_small != 0) {
+      counts_.small += name.samples;
+      return;
+    }
     const bool is_inside = labels.label(name.node) == NodeLabel::kInside;
     by_ball.add({{.tetrahedron = name.tetrahedron,
                   .separation = name.separation,

@@ -85,6 +85,7 @@ RunIdentity identity_of(const RunOptions& options) {
   }
   if (options.needs_poles()) {
     identity["--pole-tolerance"] = fmt::format("{}", options.pole_tolerance);
+    identity["--least-ball"] = fmt::format("{}", options.least_ball);
   }
   if (!options.medial_axis.empty()) {
     identity["--medial-axis-side"] =
