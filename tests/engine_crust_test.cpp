@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "engine/reconstruct.h"
-#include "io/fault_injection.h"
 #include "io/mesh_source.h"
 #include "spatial/vector.h"
+#include "tests/full_disks.h"
 #include "tests/io_test_folder.h"
 #include "tests/point_families.h"
 
@@ -364,32 +364,8 @@ TEST(CrustRun, GoesOnAfterAFullDiskToTheSameBytes) {
   const TestFolder folder;
   RunOptions options = options_for_all(folder, bumpy(300));
   options.window_points = 160;
-  (void)reconstruct(options);
-  const std::string expected = output_bytes(folder);
-  const std::vector<std::string> names = folder.names();
-  int failures = 0;
-  const std::uint64_t step = kIsSlow ? 60 : 31;
-  for (std::uint64_t call = 3;; call += step) {
-    options.resume = false;
-    bool has_failed = false;
-    {
-      const ScopedFault fault({.operations = static_cast<unsigned>(IoOperation::kWrite),
-                               .fail_at = call,
-                               .error = 28,
-                               .stays = true});
-      try {
-        (void)reconstruct(options);
-      } catch (const IoError&) {
-        has_failed = true;
-      }
-    }
-    if (!has_failed) break;
-    ++failures;
-    options.resume = true;
-    (void)reconstruct(options);
-    EXPECT_TRUE(output_bytes(folder) == expected) << "write " << call;
-    EXPECT_EQ(folder.names(), names) << "write " << call;
-  }
+  const int failures = expect_same_after_full_disks(options, folder, kIsSlow ? 60 : 31,
+                                                    [&] { return output_bytes(folder); });
   EXPECT_GT(failures, 1);
 }
 
