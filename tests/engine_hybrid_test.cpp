@@ -326,7 +326,7 @@ constexpr std::size_t kPoints = kIsSlow ? 700 : 3000;
 std::vector<Shape> shapes() {
   return {{"bumpy", [] { return bumpy(kPoints); }},
           {"patchy", [] { return patchy(kPoints); }},
-          {"voxels", [] { return voxels(kIsSlow ? 5 : 11); }},
+          {"voxels", [] { return voxels(7); }},
           {"noise", [] { return noise(kPoints); }}};
 }
 
