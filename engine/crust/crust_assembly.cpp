@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/crust/crust_records.h"
+#include "engine/each_record.h"
 #include "engine/order/external_sort.h"
 #include "engine/order/point_store.h"
 #include "engine/surface/facet_export.h"
@@ -15,8 +16,6 @@
 
 namespace stream_recon {
 namespace {
-
-constexpr std::size_t kBatch = 1 << 12;
 
 /// Where a vertex of a window is in the store.
 struct VertexRank {
@@ -63,14 +62,7 @@ class CrustAssembly {
  private:
   template <class Record, class Take>
   void read_all(const std::string& name, const Take& take) {
-    {
-      ScratchReader<Record> reader(context_.scratch, name);
-      std::vector<Record> batch(kBatch);
-      while (const std::size_t count = reader.read(batch)) {
-        context_.stop.check();
-        take(std::span<const Record>(batch).first(count));
-      }
-    }
+    for_each_batch<Record>(context_, name, take);
     context_.scratch.remove(name);
   }
 

@@ -47,7 +47,7 @@ void CrustMesh::pair_up() {
   // Into the triangle from its side, at a right angle, of unit length.
   const auto inward = [this](std::uint32_t side) {
     const Point3 along = minus(points_[to(side)], points_[from(side)]);
-    const Point3 apex = minus(points_[to(next(side))], points_[from(side)]);
+    const Point3 apex = minus(points_[to(next_side(side))], points_[from(side)]);
     const double square = dot(along, along);
     const Point3 across = square > 0 ? minus(apex, scaled(along, dot(apex, along) / square)) : apex;
     const double size = length(across);
@@ -84,7 +84,7 @@ Point3 CrustMesh::normal(std::uint32_t vertex) const {
   Point3 sum;
   for (const std::uint32_t side : sides_from(vertex)) {
     const Point3& at = points_[vertex];
-    sum = plus(sum, cross(minus(points_[to(side)], at), minus(points_[to(next(side))], at)));
+    sum = plus(sum, cross(minus(points_[to(side)], at), minus(points_[to(next_side(side))], at)));
   }
   return sum;
 }

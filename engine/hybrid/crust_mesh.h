@@ -26,9 +26,8 @@ class CrustMesh {
   std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
   std::uint32_t side_count() const { return static_cast<std::uint32_t>(opposite_.size()); }
 
-  static std::uint32_t next(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
   std::uint32_t from(std::uint32_t side) const { return triangles_[side / 3][side % 3]; }
-  std::uint32_t to(std::uint32_t side) const { return from(next(side)); }
+  std::uint32_t to(std::uint32_t side) const { return from(next_side(side)); }
   std::uint32_t opposite(std::uint32_t side) const { return opposite_[side]; }
   /// Whether its edge has one triangle at either side.
   bool is_plain(std::uint32_t side) const { return is_plain_[side]; }

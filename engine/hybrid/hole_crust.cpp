@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "engine/crust/crust_sink.h"
+#include "engine/each_record.h"
 #include "engine/order/external_sort.h"
 #include "engine/order/far_ranks.h"
 #include "engine/windows/export_layout.h"
@@ -18,7 +18,6 @@ namespace stream_recon {
 namespace {
 
 constexpr std::string_view kWindowPrefix = "hole_crust_window_";
-constexpr std::size_t kBatch = 1 << 10;
 
 /// The faces of a window near holes, in a file that is made for the first of them.
 class HoleCrustSink final : public CrustSink {
@@ -80,15 +79,8 @@ std::uint64_t sort_by_hole(const StageContext& context) {
                                            ExternalSort<HoleCrust>::least_memory())});
   for (const std::string& name : context.scratch.names()) {
     if (!export_first_rank(name, kWindowPrefix)) continue;
-    {
-      ScratchReader<HoleCrust> reader(context.scratch, name);
-      std::vector<HoleCrust> batch(kBatch);
-      while (const std::size_t count = reader.read(batch)) {
-        for (const HoleCrust& triangle : std::span<const HoleCrust>(batch).first(count)) {
-          sorted.add(triangle);
-        }
-      }
-    }
+    for_each_record<HoleCrust>(context, name,
+                               [&](const HoleCrust& triangle) { sorted.add(triangle); });
     context.scratch.remove(name);
   }
   auto out = create_records<HoleCrust>(context.scratch, kHoleCrust, kHoleBlock);

@@ -6,13 +6,6 @@
 #include "engine/hybrid/side_pairs.h"
 
 namespace stream_recon {
-namespace {
-
-std::uint32_t next_side(std::uint32_t side) {
-  return side % 3 == 2 ? side - 2 : side + 1;
-}
-
-}  // namespace
 
 std::vector<std::vector<std::uint32_t>> hole_rings(const Hole& hole) {
   const std::vector<std::uint32_t> opposite = pair_sides(hole.fills);

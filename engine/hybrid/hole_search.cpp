@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/each_record.h"
 #include "engine/hybrid/hole_records.h"
 #include "engine/labels/facet_labels.h"
 #include "engine/order/external_sort.h"
@@ -19,7 +20,6 @@
 namespace stream_recon {
 namespace {
 
-constexpr std::size_t kBatch = 1 << 12;
 /// Fills as they are found, each at the position of its number.
 constexpr const char* kNumberedFills = "hole_fills_by_number";
 
@@ -89,20 +89,11 @@ class HoleSearch {
     return {name, std::max(share, ExternalSort<Record>::least_memory())};
   }
 
-  template <class Record, class Take>
-  void read_all(const std::string& name, const Take& take) const {
-    ScratchReader<Record> reader(context_.scratch, name);
-    std::vector<Record> batch(kBatch);
-    while (const std::size_t count = reader.read(batch)) {
-      context_.stop.check();
-      for (const Record& record : std::span<const Record>(batch).first(count)) take(record);
-    }
-  }
-
   void gather(ExternalSort<FacetRecord>& facets) const {
     for (const std::string& name : context_.scratch.names()) {
       if (!export_first_rank(name, kFillsPrefix)) continue;
-      read_all<FacetRecord>(name, [&](const FacetRecord& facet) { facets.add(facet); });
+      for_each_record<FacetRecord>(context_, name,
+                                   [&](const FacetRecord& facet) { facets.add(facet); });
       context_.scratch.remove(name);
     }
   }
@@ -142,7 +133,7 @@ class HoleSearch {
   void store_fills(FillSets& sets, ExternalSort<HoleSample>& samples) {
     ExternalSort<HoleFill> sorted(context_, sort_options<HoleFill>("holes"));
     std::uint32_t number = 0;
-    read_all<HoleFill>(kNumberedFills, [&](HoleFill fill) {
+    for_each_record<HoleFill>(context_, kNumberedFills, [&](HoleFill fill) {
       fill.hole = sets.lowest(number++);
       sorted.add(fill);
     });

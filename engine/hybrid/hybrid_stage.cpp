@@ -62,8 +62,8 @@ class HybridStage {
   void close_by_triangles_all(HoleSamples& samples) {
     PatchWriter out = make_writer(0);
     HoleReader reader(context_.scratch, false);
-    while (reader.next()) {
-      if (result_.report.by_triangles % kBatchHoles == 0) context_.stop.check();
+    while (const auto number = reader.next()) {
+      if (*number % kBatchHoles == 0) context_.stop.check();
       const StoredHole stored = reader.read();
       std::optional<Patch> patch;
       if (stored.hole.fills.size() + 2 <= kSmallRing) patch = close_by_triangles(stored.hole);

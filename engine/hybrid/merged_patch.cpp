@@ -124,7 +124,7 @@ class RegionMerge {
     for (const std::uint32_t side : crust_.sides_from(vertex)) {
       if (!is_in_region_[side / 3]) continue;
       offer(crust_.to(side), sample_of_[vertex]);
-      offer(crust_.to(CrustMesh::next(side)), sample_of_[vertex]);
+      offer(crust_.to(next_side(side)), sample_of_[vertex]);
     }
   }
 

@@ -16,6 +16,11 @@ namespace stream_recon {
 
 inline constexpr std::uint32_t kNoSide = std::numeric_limits<std::uint32_t>::max();
 
+/// Of the same triangle.
+inline std::uint32_t next_side(std::uint32_t side) {
+  return side % 3 == 2 ? side - 2 : side + 1;
+}
+
 /// At an edge of two sides a direction: whether the first is to be paired with the second of the
 /// other direction.
 using CrossesPairs = std::function<bool(const std::array<std::uint32_t, 2>& up,
